@@ -1,0 +1,20 @@
+//! Elementary functions, from the standard library or from `libm`.
+
+macro_rules! real {
+    ($($name:ident, $t:ty, $std:ident;)*) => { $(
+        #[inline(always)]
+        pub(crate) fn $name(x: $t) -> $t {
+            #[cfg(feature = "std")]
+            return <$t>::$std(x);
+            #[cfg(not(feature = "std"))]
+            return libm::$name(x);
+        }
+    )* };
+}
+
+real! {
+    exp, f64, exp;
+    expf, f32, exp;
+    sqrt, f64, sqrt;
+    sqrtf, f32, sqrt;
+}

@@ -1,0 +1,115 @@
+//! A scene, loaded and resolved: nothing in it refers to a file or needs a default any more.
+
+use crate::{Camera, Sphere};
+use glam::Affine3A;
+
+/// A triangle mesh in its object's own space.
+#[derive(Clone, Debug, Default)]
+pub struct Mesh {
+    /// Vertex positions, in metres.
+    pub positions: Vec<[f32; 3]>,
+    /// Unit vertex normals, as many as positions.
+    pub normals: Vec<[f32; 3]>,
+    /// Texture coordinates, as many as positions, or none; (0, 0) is the texture's first texel.
+    pub uvs: Vec<[f32; 2]>,
+    /// Vertex indices, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// A base-colour texture: sRGB-encoded RGBA, 8 bits each, rows from the top, repeated in both directions.
+#[derive(Clone, Debug)]
+pub struct Texture {
+    /// Texels across.
+    pub width: u32,
+    /// Texels down.
+    pub height: u32,
+    /// `width * height * 4` bytes.
+    pub rgba: Vec<u8>,
+}
+
+/// How a surface reflects: diffusely, `albedo` times the texture.
+#[derive(Clone, Debug)]
+pub struct Material {
+    /// Linear Rec.709 reflectance, each in 0..=1.
+    pub albedo: [f32; 3],
+    /// Multiplied with the albedo, if there.
+    pub texture: Option<Texture>,
+}
+
+/// One body: a mesh, how it reflects, where it stands, and the spheres that block light in its place.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// What messages call it.
+    pub name: String,
+    /// The surface, in object space.
+    pub mesh: Mesh,
+    /// How it reflects.
+    pub material: Material,
+    /// World from object; a rotation, a uniform scale and a translation.
+    pub transform: Affine3A,
+    /// A bounding set of spheres, in object space.
+    pub spheres: Vec<Sphere>,
+}
+
+/// An equirectangular map of radiance that covers the whole sphere. Rows run from +Y (top) to -Y, columns
+/// turn from -Z over +X: column centre u in 0..1 and row centre v in 0..1 see the direction
+/// (sin φ sin θ, cos θ, -cos φ sin θ) with φ = 2π u - π... see [`EnvironmentMap::direction`].
+#[derive(Clone, Debug)]
+pub struct EnvironmentMap {
+    /// Texels across.
+    pub width: u32,
+    /// Texels down.
+    pub height: u32,
+    /// Radiance, linear Rec.709, `width * height` texels.
+    pub pixels: Vec<[f32; 3]>,
+}
+
+/// An infinite horizontal plane that receives light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ground {
+    /// Height above the origin, in metres.
+    pub height: f32,
+    /// Linear Rec.709 reflectance.
+    pub albedo: [f32; 3],
+}
+
+/// What the user may set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// SH order, 2 to 6.
+    pub order: usize,
+    /// Whether blockers cast shadows.
+    pub shadows: bool,
+    /// Window width h of the light's SH vector; 2·order where nothing is said.
+    pub window: f32,
+}
+
+/// Everything a picture needs.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The bodies.
+    pub objects: Vec<Object>,
+    /// The light from all around, already rotated and scaled by its intensity.
+    pub environment: EnvironmentMap,
+    /// The plane everything stands on, if any.
+    pub ground: Option<Ground>,
+    /// Where the picture is taken from.
+    pub camera: Camera,
+    /// The rest.
+    pub settings: Settings,
+}
+
+impl Scene {
+    /// All blocker spheres in world space, object by object.
+    pub fn world_spheres(&self) -> Vec<Sphere> {
+        let mut spheres = Vec::new();
+        for object in &self.objects {
+            let scale = object.transform.matrix3.x_axis.length();
+            spheres.extend(object.spheres.iter().map(|s| Sphere {
+                center: object.transform.transform_point3(s.center.into()).into(),
+                radius: s.radius * scale,
+            }));
+        }
+        spheres
+    }
+}
