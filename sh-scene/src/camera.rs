@@ -1,6 +1,6 @@
 //! The camera, and the grid of samples it looks through.
 
-use glam::{Mat4, Vec3};
+use glam::{Mat4, Vec3, Vec4};
 
 /// Where the picture is taken from. +Y is up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,12 +52,10 @@ impl View {
 
     /// World to clip space (depth 1 at `near`, towards 0 at infinity) for rasterising the same grid.
     pub fn clip_from_world(&self, near: f32) -> Mat4 {
-        let [_, up, forward] = self.axes();
-        let view = Mat4::look_to_rh(self.camera.eye, forward, up);
-        Mat4::perspective_infinite_reverse_rh(
-            self.camera.fov,
-            self.width as f32 / self.height as f32,
-            near,
-        ) * view
+        let [right, up, forward] = self.axes();
+        let tall = 1.0 / (self.camera.fov * 0.5).tan();
+        let wide = tall * self.height as f32 / self.width as f32;
+        let row = |axis: Vec3, scale: f32| (axis * scale).extend(-axis.dot(self.camera.eye) * scale);
+        Mat4::from_cols(row(right, wide), row(up, tall), Vec4::W * near, row(forward, 1.0)).transpose()
     }
 }
