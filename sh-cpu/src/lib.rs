@@ -1,1 +1,4 @@
 //! (under construction)
+pub mod lanes;
+mod width;
+pub use width::{Path, Width, levels};
