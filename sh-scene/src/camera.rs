@@ -13,6 +13,54 @@ pub struct Camera {
     pub fov: f32,
 }
 
+impl Camera {
+    /// A camera that looks at the box from `min` to `max` from in front (+Z), a little from the right and
+    /// from above, near enough that the box fills most of a picture of 4:3 or wider. A box without extent
+    /// is seen from a metre's distance.
+    ///
+    /// ```
+    /// use glam::Vec3;
+    /// let camera = sh_scene::Camera::framing(-Vec3::ONE, Vec3::ONE);
+    /// assert_eq!(camera.target, Vec3::ZERO);
+    /// assert!(camera.eye.z > 2.0);
+    /// ```
+    pub fn framing(min: Vec3, max: Vec3) -> Self {
+        const FOV: f32 = 35.0;
+        const ASPECT: f32 = 4.0 / 3.0;
+        const MARGIN: f32 = 1.12;
+        let (target, half) = ((min + max) * 0.5, (max - min) * 0.5);
+        let fov = FOV.to_radians();
+        let away = Vec3::new(0.46, 0.42, 1.0).normalize();
+        let [right, up, _] = View {
+            camera: Self {
+                eye: away,
+                target: Vec3::ZERO,
+                fov,
+            },
+            width: 1,
+            height: 1,
+        }
+        .axes();
+        let tall = (fov * 0.5).tan() / MARGIN;
+        let mut distance = 0.0_f32;
+        for corner in 0..8 {
+            let sign = |bit: u32| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
+            let c = half * Vec3::new(sign(0), sign(1), sign(2));
+            // Seen from `distance` along `away`, the corner lies `distance - c·away` deep.
+            let aside = (c.dot(right) / ASPECT).abs().max(c.dot(up).abs());
+            distance = distance.max(c.dot(away) + aside / tall);
+        }
+        if distance <= 0.0 {
+            distance = 1.0;
+        }
+        Self {
+            eye: target + away * distance,
+            target,
+            fov,
+        }
+    }
+}
+
 /// A camera together with the size of the picture: what the G-buffer pass samples.
 ///
 /// A picture of `width` by `height` pixels is sampled on a grid [`View::OVERSAMPLE`] times as fine in
@@ -35,7 +83,11 @@ impl View {
     /// for +Y.
     pub fn axes(&self) -> [Vec3; 3] {
         let forward = (self.camera.target - self.camera.eye).normalize();
-        let up = if forward.y.abs() > 0.9999 { Vec3::Z } else { Vec3::Y };
+        let up = if forward.y.abs() > 0.9999 {
+            Vec3::Z
+        } else {
+            Vec3::Y
+        };
         let right = forward.cross(up).normalize();
         [right, right.cross(forward), forward]
     }
@@ -55,7 +107,52 @@ impl View {
         let [right, up, forward] = self.axes();
         let tall = 1.0 / (self.camera.fov * 0.5).tan();
         let wide = tall * self.height as f32 / self.width as f32;
-        let row = |axis: Vec3, scale: f32| (axis * scale).extend(-axis.dot(self.camera.eye) * scale);
-        Mat4::from_cols(row(right, wide), row(up, tall), Vec4::W * near, row(forward, 1.0)).transpose()
+        let row =
+            |axis: Vec3, scale: f32| (axis * scale).extend(-axis.dot(self.camera.eye) * scale);
+        Mat4::from_cols(
+            row(right, wide),
+            row(up, tall),
+            Vec4::W * near,
+            row(forward, 1.0),
+        )
+        .transpose()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn framing_shows_every_corner() {
+        for (min, max) in [
+            (Vec3::ZERO, Vec3::new(1.0, 3.0, 0.5)),
+            (Vec3::new(-900.0, 0.0, -10.0), Vec3::new(900.0, 20.0, 10.0)),
+            (Vec3::splat(0.001), Vec3::splat(0.002)),
+        ] {
+            let camera = Camera::framing(min, max);
+            let view = View {
+                camera,
+                width: 640,
+                height: 480,
+            };
+            let clip = view.clip_from_world(1e-3);
+            let mut widest = 0.0_f32;
+            for corner in 0..8 {
+                let pick = |bit: u32, i: usize| {
+                    if corner >> bit & 1 == 1 {
+                        max[i]
+                    } else {
+                        min[i]
+                    }
+                };
+                let p = clip * Vec3::new(pick(0, 0), pick(1, 1), pick(2, 2)).extend(1.0);
+                assert!(p.w > 0.0);
+                widest = widest.max((p.x / p.w).abs()).max((p.y / p.w).abs());
+            }
+            assert!(widest > 0.75 && widest < 1.0, "{min} {max}: {widest}");
+        }
+        let point = Camera::framing(Vec3::ONE, Vec3::ONE);
+        assert!((point.eye.distance(Vec3::ONE) - 1.0).abs() < 1e-6);
     }
 }

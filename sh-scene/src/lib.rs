@@ -2,13 +2,17 @@
 //!
 //! (under construction)
 mod camera;
+mod environment;
 mod light;
 mod plan;
 mod records;
 mod scene;
+mod sky;
 
 pub use camera::{Camera, View};
+pub use environment::EnvironmentMap;
 pub use light::Light;
-pub use plan::{Pass, PassKind, Plan};
+pub use plan::{Pass, PassKind, Plan, Resolution, Resource};
 pub use records::{Receiver, Sphere};
-pub use scene::{EnvironmentMap, Ground, Material, Mesh, Object, Scene, Settings, Texture};
+pub use scene::{Ground, Material, Mesh, Object, Scene, Settings, Texture};
+pub use sky::Sky;

@@ -1,4 +1,12 @@
-//! The plan of a frame: the passes a scene calls for, and why.
+//! The plan of a frame: the passes a scene calls for, why, and what they read and write.
+//!
+//! A pass that is not in the plan costs nothing: no dispatch, no memory, no shader. A backend looks
+//! through the list and does what it names, in order. New passes enter as one more [`PassKind`] and, where
+//! they make something new (a light view, an array of depths, a picture at half resolution), one more
+//! [`Resource`] with its [`Resolution`]; what is here stays as it is.
+
+use crate::Scene;
+use std::fmt;
 
 /// The passes there are. Each is one file of this name in `kernels`, `sh-cpu` and `sh-gpu`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -13,18 +21,260 @@ pub enum PassKind {
     Resolve,
 }
 
+impl PassKind {
+    /// The name that files, tables and messages use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Gbuffer => "gbuffer",
+            Self::Irradiance => "irradiance",
+            Self::Shadow => "shadow",
+            Self::Resolve => "resolve",
+        }
+    }
+
+    /// What the pass reads.
+    pub fn reads(self) -> &'static [Resource] {
+        match self {
+            Self::Gbuffer => &[Resource::Surfaces],
+            Self::Irradiance => &[Resource::Receivers, Resource::Light],
+            Self::Shadow => &[Resource::Receivers, Resource::Blockers, Resource::Light],
+            Self::Resolve => &[
+                Resource::Receivers,
+                Resource::Albedo,
+                Resource::Radiance,
+                Resource::Environment,
+            ],
+        }
+    }
+
+    /// What the pass writes.
+    pub fn writes(self) -> &'static [Resource] {
+        match self {
+            Self::Gbuffer => &[Resource::Receivers, Resource::Albedo],
+            Self::Irradiance | Self::Shadow => &[Resource::Radiance],
+            Self::Resolve => &[Resource::Picture],
+        }
+    }
+}
+
+/// What passes hand each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Resource {
+    /// Meshes, their transforms and textures, and the ground.
+    Surfaces,
+    /// Positions and normals to light: [`crate::Receiver`] records.
+    Receivers,
+    /// Linear Rec.709 reflectance of each receiver.
+    Albedo,
+    /// Radiance that albedo 1 would reflect at each receiver.
+    Radiance,
+    /// The spheres that block light, in world space: [`crate::Sphere`] records.
+    Blockers,
+    /// The environment as SH vectors: [`crate::Light`].
+    Light,
+    /// The environment as a map: [`crate::EnvironmentMap`].
+    Environment,
+    /// The picture: linear Rec.709, 32-bit floats.
+    Picture,
+}
+
+impl Resource {
+    /// How many elements it has.
+    pub fn resolution(self) -> Resolution {
+        match self {
+            Self::Surfaces | Self::Blockers | Self::Light | Self::Environment => Resolution::Fixed,
+            Self::Receivers | Self::Albedo | Self::Radiance => Resolution::Samples,
+            Self::Picture => Resolution::Pixels,
+        }
+    }
+}
+
+/// What the size of a resource follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Resolution {
+    /// One element a sample of the [`crate::View`].
+    Samples,
+    /// One element a pixel of the picture.
+    Pixels,
+    /// The scene, not the picture. It is there before the first pass.
+    Fixed,
+}
+
 /// One pass and why this scene needs it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pass {
     /// Which.
     pub kind: PassKind,
-    /// Why it is in the plan, for a person.
+    /// Why it is in the plan, for a person: a sentence.
     pub reason: String,
 }
 
 /// The passes of a frame, in order.
+///
+/// ```
+/// # use sh_scene::*;
+/// # fn plan_of(scene: &Scene) {
+/// for pass in &Plan::new(scene).passes {
+///     println!("{}: {}", pass.kind.name(), pass.reason);
+/// }
+/// # }
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// In the order they run.
     pub passes: Vec<Pass>,
+}
+
+impl Plan {
+    /// The passes that `scene` needs.
+    pub fn new(scene: &Scene) -> Self {
+        let blockers: usize = scene.objects.iter().map(|o| o.spheres.len()).sum();
+        let order = scene.settings.order;
+        let mut passes = Vec::new();
+        let mut add = |kind, reason: String| passes.push(Pass { kind, reason });
+
+        let bodies = counted(scene.objects.len(), "object", "objects");
+        let surfaces = match scene.ground {
+            Some(_) => format!("{bodies} and the ground"),
+            None => bodies,
+        };
+        add(
+            PassKind::Gbuffer,
+            format!("The camera's rays have to find {surfaces}."),
+        );
+        if scene.settings.shadows && blockers > 0 {
+            let spheres = counted(blockers, "blocker sphere", "blocker spheres");
+            let reason =
+                format!("Environment light of order {order} is cast into shadow by {spheres}.");
+            add(PassKind::Shadow, reason);
+        } else {
+            let reason =
+                format!("Environment light of order {order} reaches every receiver unblocked.");
+            add(PassKind::Irradiance, reason);
+        }
+        add(
+            PassKind::Resolve,
+            "Lit samples become pixels, with the environment behind them.".to_string(),
+        );
+        Self { passes }
+    }
+
+    /// Whether a pass of this kind is in the plan.
+    pub fn has(&self, kind: PassKind) -> bool {
+        self.passes.iter().any(|pass| pass.kind == kind)
+    }
+}
+
+/// One line a pass: its name and why it is there.
+impl fmt::Display for Plan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, pass) in self.passes.iter().enumerate() {
+            let end = if i == 0 { "" } else { "\n" };
+            write!(f, "{end}{:<10} {}", pass.kind.name(), pass.reason)?;
+        }
+        Ok(())
+    }
+}
+
+/// "1 object", "3 objects".
+fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Camera, EnvironmentMap, Ground, Material, Mesh, Object, Settings, Sphere};
+    use glam::{Affine3A, Vec3};
+
+    fn scene(spheres: usize, shadows: bool) -> Scene {
+        let object = Object {
+            name: "ball".into(),
+            mesh: Mesh::default(),
+            material: Material {
+                albedo: [0.5; 3],
+                texture: None,
+            },
+            transform: Affine3A::IDENTITY,
+            spheres: vec![
+                Sphere {
+                    center: [0.0; 3],
+                    radius: 1.0
+                };
+                spheres
+            ],
+        };
+        Scene {
+            objects: vec![object],
+            environment: EnvironmentMap::constant([1.0; 3]),
+            ground: Some(Ground {
+                height: 0.0,
+                albedo: [0.5; 3],
+            }),
+            camera: Camera {
+                eye: Vec3::Z,
+                target: Vec3::ZERO,
+                fov: 1.0,
+            },
+            settings: Settings {
+                order: 4,
+                shadows,
+                window: 8.0,
+            },
+        }
+    }
+
+    #[test]
+    fn an_effect_taken_away_leaves_the_plan_of_a_scene_that_never_had_it() {
+        let never = Plan::new(&scene(0, false));
+        assert_eq!(
+            Plan::new(&scene(0, true)),
+            never,
+            "shadows on, but nothing blocks"
+        );
+        assert_eq!(
+            Plan::new(&scene(8, false)),
+            never,
+            "blockers, but shadows off"
+        );
+        let with = Plan::new(&scene(8, true));
+        assert_ne!(with, never);
+        assert!(with.has(PassKind::Shadow) && !with.has(PassKind::Irradiance));
+        assert!(never.has(PassKind::Irradiance) && !never.has(PassKind::Shadow));
+    }
+
+    #[test]
+    fn every_pass_reads_what_is_there() {
+        for plan in [Plan::new(&scene(8, true)), Plan::new(&scene(0, true))] {
+            let mut there = Vec::new();
+            for pass in &plan.passes {
+                for read in pass.kind.reads() {
+                    let made = read.resolution() == Resolution::Fixed || there.contains(read);
+                    assert!(
+                        made,
+                        "{} reads {read:?} before it is written",
+                        pass.kind.name()
+                    );
+                }
+                there.extend_from_slice(pass.kind.writes());
+            }
+            assert!(there.contains(&Resource::Picture));
+        }
+    }
+
+    #[test]
+    fn reasons_are_sentences() {
+        for pass in Plan::new(&scene(1, true)).passes {
+            assert!(
+                pass.reason.ends_with('.') && pass.reason.contains(' '),
+                "{}",
+                pass.reason
+            );
+        }
+        let text = Plan::new(&scene(1, true)).to_string();
+        assert!(
+            text.contains("1 object and the ground") && text.contains("1 blocker sphere."),
+            "{text}"
+        );
+    }
 }

@@ -1,7 +1,7 @@
 //! A scene, loaded and resolved: nothing in it refers to a file or needs a default any more.
 
-use crate::{Camera, Sphere};
-use glam::Affine3A;
+use crate::{Camera, EnvironmentMap, Sphere};
+use glam::{Affine3A, Vec3};
 
 /// A triangle mesh in its object's own space.
 #[derive(Clone, Debug, Default)]
@@ -51,17 +51,22 @@ pub struct Object {
     pub spheres: Vec<Sphere>,
 }
 
-/// An equirectangular map of radiance that covers the whole sphere. Rows run from +Y (top) to -Y, columns
-/// turn from -Z over +X: column centre u in 0..1 and row centre v in 0..1 see the direction
-/// (sin φ sin θ, cos θ, -cos φ sin θ) with φ = 2π u - π... see [`EnvironmentMap::direction`].
-#[derive(Clone, Debug)]
-pub struct EnvironmentMap {
-    /// Texels across.
-    pub width: u32,
-    /// Texels down.
-    pub height: u32,
-    /// Radiance, linear Rec.709, `width * height` texels.
-    pub pixels: Vec<[f32; 3]>,
+impl Object {
+    /// The lowest and the highest corner of the mesh's bounding box in world space, or none for an empty
+    /// mesh.
+    pub fn bounds(&self) -> Option<[Vec3; 2]> {
+        let world = |p: &[f32; 3]| self.transform.transform_point3(Vec3::from(*p));
+        let used = self
+            .mesh
+            .triangles
+            .iter()
+            .flatten()
+            .map(|&i| world(&self.mesh.positions[i as usize]));
+        used.fold(None, |bounds, p| {
+            let [low, high] = bounds.unwrap_or([p, p]);
+            Some([low.min(p), high.max(p)])
+        })
+    }
 }
 
 /// An infinite horizontal plane that receives light.
@@ -99,7 +104,27 @@ pub struct Scene {
     pub settings: Settings,
 }
 
+impl Default for Settings {
+    /// Order 4 with shadows, windowed over twice the order as Ren et al. 2006 (section 7) advise.
+    fn default() -> Self {
+        Self {
+            order: 4,
+            shadows: true,
+            window: 8.0,
+        }
+    }
+}
+
 impl Scene {
+    /// The lowest and the highest corner of the bounding box of all objects in world space, or none where
+    /// there is no triangle.
+    pub fn bounds(&self) -> Option<[Vec3; 2]> {
+        self.objects
+            .iter()
+            .filter_map(Object::bounds)
+            .reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])
+    }
+
     /// All blocker spheres in world space, object by object.
     pub fn world_spheres(&self) -> Vec<Sphere> {
         let mut spheres = Vec::new();
