@@ -1,1 +1,90 @@
-//! (under construction)
+//! The WGSL of every pass, linked flat: one text a pass and order, ready for any WebGPU implementation.
+//!
+//! The sources are `kernels/*.wgsl`, one pass a file, and the pieces they share in `kernels/shared`. The
+//! build script links them with the routines that `sh-codegen` generates; nothing of the linker or of the
+//! generator is in the compiled crate.
+//!
+//! | pass | entry points | group 0 | group 1 |
+//! |---|---|---|---|
+//! | gbuffer | `body_vertex`, `body_fragment` | band (uniform) | body (uniform), base colour (texture) |
+//! | | `ground_vertex`, `ground_fragment` | band (uniform) | |
+//! | | `pack` | places, surfaces (textures) | receivers, albedos (storage, written) |
+//! | irradiance | `irradiance` | lighting (uniform) | receivers, radiance (written) |
+//! | shadow | `shadow` | lighting (uniform), blockers | receivers, radiance (written) |
+//! | resolve | `resolve` | band (uniform), environment (texture) | receivers, albedo, radiance, picture (written) |
+//!
+//! Compute entry points have workgroups of [`WORKGROUP`] invocations and count elements row by row over a
+//! two-dimensional dispatch; how many there are follows from the size of the bound buffers.
+//!
+//! ```
+//! let wgsl = sh_kernels::source(sh_kernels::Pass::Shadow, 4).expect("orders 2 to 6 exist");
+//! assert!(wgsl.contains("fn shadow("));
+//! assert!(sh_kernels::source(sh_kernels::Pass::Shadow, 7).is_none());
+//! ```
+
+/// The lowest SH order there are kernels for.
+pub const MIN_ORDER: usize = 2;
+
+/// The highest SH order there are kernels for.
+pub const MAX_ORDER: usize = 6;
+
+/// Invocations in a workgroup of every compute entry point.
+pub const WORKGROUP: u32 = 64;
+
+/// The passes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Pass {
+    /// Position, normal and albedo per sample; the same text for every order.
+    Gbuffer,
+    /// Environment light without blockers.
+    Irradiance,
+    /// Environment light through the visibility of all blocker spheres.
+    Shadow,
+    /// Samples to pixels; the same text for every order.
+    Resolve,
+}
+
+impl Pass {
+    /// All passes, in the order of a frame.
+    pub const ALL: [Pass; 4] = [Pass::Gbuffer, Pass::Irradiance, Pass::Shadow, Pass::Resolve];
+
+    /// The name of the pass and of its file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Pass::Gbuffer => "gbuffer",
+            Pass::Irradiance => "irradiance",
+            Pass::Shadow => "shadow",
+            Pass::Resolve => "resolve",
+        }
+    }
+}
+
+macro_rules! linked {
+    ($name:literal, $order:expr) => {
+        match $order {
+            2 => Some(include_str!(concat!(env!("OUT_DIR"), "/", $name, "_2.wgsl"))),
+            3 => Some(include_str!(concat!(env!("OUT_DIR"), "/", $name, "_3.wgsl"))),
+            4 => Some(include_str!(concat!(env!("OUT_DIR"), "/", $name, "_4.wgsl"))),
+            5 => Some(include_str!(concat!(env!("OUT_DIR"), "/", $name, "_5.wgsl"))),
+            6 => Some(include_str!(concat!(env!("OUT_DIR"), "/", $name, "_6.wgsl"))),
+            _ => None,
+        }
+    };
+}
+
+/// The flat WGSL text of a pass at an SH order, or `None` for an order outside [`MIN_ORDER`] to
+/// [`MAX_ORDER`].
+pub fn source(pass: Pass, order: usize) -> Option<&'static str> {
+    match pass {
+        Pass::Gbuffer => linked!("gbuffer", order),
+        Pass::Irradiance => linked!("irradiance", order),
+        Pass::Shadow => linked!("shadow", order),
+        Pass::Resolve => linked!("resolve", order),
+    }
+}
+
+/// The generated routines of an SH order as a WGSL function library, without any pass, or `None` for an
+/// order outside [`MIN_ORDER`] to [`MAX_ORDER`].
+pub fn library(order: usize) -> Option<&'static str> {
+    linked!("library", order)
+}

@@ -1,0 +1,140 @@
+// G-buffer: position, normal and albedo where the camera's rays first meet a surface. Bodies are rasterised
+// with one fragment a sample, the infinite ground plane is drawn by a triangle that covers the band, and
+// `pack` turns both textures into the buffers that the other passes read. Twin of sh_cpu's `gbuffer`.
+
+#import shared/records
+#import shared/invocation
+#import shared/band
+#import shared/octahedral
+
+// One body: where it stands and how it reflects.
+struct Body {
+    world_from_object: mat4x4f,
+    albedo: vec3f,
+    object: u32,
+}
+
+@group(0) @binding(0) var<uniform> band: Band;
+@group(1) @binding(0) var<uniform> body: Body;
+// White where a body has no texture.
+@group(1) @binding(1) var base_color: texture_2d<f32>;
+
+struct Fragment {
+    @builtin(position) clip: vec4f,
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) uv: vec2f,
+}
+
+// Two textures of 128 bits a sample, the most that WebGPU's default limits allow: position and object;
+// octahedral normal, albedo in 16 bits a channel, and 1 in the last 16 bits where something is hit.
+struct Targets {
+    @location(0) place: vec4u,
+    @location(1) surface: vec4u,
+}
+
+fn targets(position: vec3f, object: u32, normal: vec3f, albedo: vec3f) -> Targets {
+    let surface = vec4u(
+        bitcast<vec2u>(octahedral_from_unit(normal)),
+        pack2x16unorm(albedo.rg),
+        pack2x16unorm(vec2f(albedo.b, 1.0)),
+    );
+    return Targets(vec4u(bitcast<vec3u>(position), object), surface);
+}
+
+@vertex
+fn body_vertex(@location(0) position: vec3f, @location(1) normal: vec3f, @location(2) uv: vec2f) -> Fragment {
+    let world = body.world_from_object * vec4f(position, 1.0);
+    let turned = (body.world_from_object * vec4f(normal, 0.0)).xyz;
+    return Fragment(band.clip_from_world * world, world.xyz, turned, uv);
+}
+
+// The base colour, bilinear between texel centres, repeated in both directions. By hand, because a
+// sampler's weights have 8 bits only.
+fn textured(uv: vec2f) -> vec3f {
+    let size = vec2i(textureDimensions(base_color));
+    let place = fract(uv) * vec2f(size) - 0.5;
+    let corner = floor(place);
+    let weight = place - corner;
+    let low = (vec2i(corner) + size) % size;
+    let high = (low + 1) % size;
+    let above = mix(color_at(low.x, low.y), color_at(high.x, low.y), weight.x);
+    let below = mix(color_at(low.x, high.y), color_at(high.x, high.y), weight.x);
+    return mix(above, below, weight.y);
+}
+
+fn color_at(column: i32, row: i32) -> vec3f {
+    return textureLoad(base_color, vec2i(column, row), 0).rgb;
+}
+
+@fragment
+fn body_fragment(fragment: Fragment) -> Targets {
+    let albedo = body.albedo * textured(fragment.uv);
+    return targets(fragment.position, body.object, normalize(fragment.normal), albedo);
+}
+
+// A triangle that covers the band.
+@vertex
+fn ground_vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+    return vec4f(f32(index & 1u) * 4.0 - 1.0, f32(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
+}
+
+struct GroundTargets {
+    @builtin(frag_depth) depth: f32,
+    @location(0) place: vec4u,
+    @location(1) surface: vec4u,
+}
+
+@fragment
+fn ground_fragment(@builtin(position) place: vec4f) -> GroundTargets {
+    // The ray advances 1 along `forward`, so its parameter is the depth.
+    let ray = sample_ray(band, u32(place.x), u32(place.y));
+    let drop = band.eye.y - band.ground_height;
+    if (band.ground == 0u || drop <= 0.0 || ray.y > -HORIZON) {
+        discard;
+    }
+    let depth = drop / -ray.y;
+    let position = band.eye + depth * ray;
+    let written = targets(
+        vec3f(position.x, band.ground_height, position.z),
+        GROUND,
+        vec3f(0.0, 1.0, 0.0),
+        band.ground_albedo,
+    );
+    return GroundTargets(min(band.near / depth, 1.0), written.place, written.surface);
+}
+
+// How much a ray must sink, for 1 along `forward`, to meet the ground at all.
+const HORIZON: f32 = 1e-7;
+
+// The object index of the ground.
+const GROUND: u32 = 0xffffffffu;
+
+@group(0) @binding(0) var places: texture_2d<u32>;
+@group(0) @binding(1) var surfaces: texture_2d<u32>;
+@group(1) @binding(0) var<storage, read_write> receivers: array<Receiver>;
+@group(1) @binding(1) var<storage, read_write> albedos: array<vec4f>;
+
+@compute @workgroup_size(64)
+fn pack(
+    @builtin(workgroup_id) workgroup: vec3u,
+    @builtin(num_workgroups) workgroups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let index = element_index(workgroup, workgroups, lane);
+    if (index >= arrayLength(&receivers)) {
+        return;
+    }
+    let columns = textureDimensions(places).x;
+    let cell = vec2u(index % columns, index / columns);
+    let surface = textureLoad(surfaces, cell, 0);
+    if (surface.w == 0u) {
+        receivers[index] = Receiver();
+        albedos[index] = vec4f(0.0);
+        return;
+    }
+    let place = textureLoad(places, cell, 0);
+    let normal = unit_from_octahedral(bitcast<vec2f>(surface.xy));
+    receivers[index] = Receiver(bitcast<vec3f>(place.xyz), 1u, normal, place.w);
+    albedos[index] = vec4f(unpack2x16unorm(surface.z), unpack2x16unorm(surface.w).x, 0.0);
+}

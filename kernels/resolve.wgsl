@@ -1,0 +1,42 @@
+// Resolve: samples to pixels. A sample shows its albedo times its radiance, or the environment where
+// nothing is hit; a pixel is the mean of its OVERSAMPLE x OVERSAMPLE samples. Twin of sh_cpu's `resolve`.
+
+#import shared/records
+#import shared/invocation
+#import shared/band
+#import shared/environment
+
+@group(0) @binding(0) var<uniform> band: Band;
+@group(0) @binding(1) var environment: texture_2d<f32>;
+@group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
+@group(1) @binding(1) var<storage, read> albedo: array<vec4f>;
+@group(1) @binding(2) var<storage, read> radiance: array<vec4f>;
+// This band's pixels, row by row: linear red, green, blue, and the share of samples that hit something.
+@group(1) @binding(3) var<storage, read_write> picture: array<vec4f>;
+
+@compute @workgroup_size(64)
+fn resolve(
+    @builtin(workgroup_id) workgroup: vec3u,
+    @builtin(num_workgroups) workgroups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let index = element_index(workgroup, workgroups, lane);
+    if (index >= arrayLength(&picture)) {
+        return;
+    }
+    let width = band.grid.x / OVERSAMPLE;
+    let pixel = vec2u(index % width, index / width);
+    var sum = vec4f(0.0);
+    for (var y = 0u; y < OVERSAMPLE; y += 1u) {
+        for (var x = 0u; x < OVERSAMPLE; x += 1u) {
+            let place = pixel * OVERSAMPLE + vec2u(x, y);
+            let receiver = place.y * band.grid.x + place.x;
+            if (receivers[receiver].covered != 0u) {
+                sum += vec4f(albedo[receiver].rgb * radiance[receiver].rgb, 1.0);
+            } else {
+                sum += vec4f(environment_radiance(sample_ray(band, place.x, place.y)), 0.0);
+            }
+        }
+    }
+    picture[index] = sum / f32(OVERSAMPLE * OVERSAMPLE);
+}

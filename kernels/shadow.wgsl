@@ -1,0 +1,74 @@
+// Shadow: environment light through the visibility of all blocker spheres, for every receiver
+// (Ren et al. 2006, section 8). The log visibilities of the blockers are summed, exponentiated once,
+// multiplied with the cosine lobe and dotted with the light. Twin of sh_cpu's `shadow`.
+//
+// One invocation a receiver; the blockers pass through workgroup memory, a tile at a time.
+
+#import shared/records
+#import shared/invocation
+#import shared/blocker
+#import shared/exponential
+#import shared/light
+#import library
+
+@group(0) @binding(0) var<uniform> lighting: Lighting;
+@group(0) @binding(1) var<storage, read> blockers: array<Sphere>;
+@group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
+// Radiance reflected by albedo 1: red, green, blue, 0.
+@group(1) @binding(1) var<storage, read_write> radiance: array<vec4f>;
+
+var<workgroup> tile: array<Sphere, WORKGROUP>;
+
+// The SH logarithm of one blocker's visibility, added to f.
+fn add_blocker(f: array<f32, $C>, receiver: Receiver, sphere: Sphere) -> array<f32, $C> {
+    let part = visible_part(receiver, sphere);
+    let distance = length(part.xyz);
+    if (!(part.w > 0.0 && distance > 0.0)) {
+        return f;
+    }
+    let sine = min(part.w / distance, 1.0);
+    let cosine = sqrt((1.0 - sine) * (1.0 + sine));
+    let log_visibility = sh$N_zonal(sh$N_cap_log(sine, cosine), part.xyz / distance);
+    var sum = f;
+    for (var i = 0u; i < $Cu; i += 1u) {
+        sum[i] += log_visibility[i];
+    }
+    return sum;
+}
+
+@compute @workgroup_size(64)
+fn shadow(
+    @builtin(workgroup_id) workgroup: vec3u,
+    @builtin(num_workgroups) workgroups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let index = element_index(workgroup, workgroups, lane);
+    let inside = index < arrayLength(&receivers);
+    var receiver = Receiver();
+    if (inside) {
+        receiver = receivers[index];
+    }
+    let covered = receiver.covered != 0u;
+    var f = array<f32, $C>();
+    for (var first = 0u; first < lighting.blockers; first += WORKGROUP) {
+        workgroupBarrier();
+        if (first + lane < lighting.blockers) {
+            tile[lane] = blockers[first + lane];
+        }
+        workgroupBarrier();
+        let filled = select(0u, min(WORKGROUP, lighting.blockers - first), covered);
+        for (var i = 0u; i < filled; i += 1u) {
+            f = add_blocker(f, receiver, tile[i]);
+        }
+    }
+    if (!inside) {
+        return;
+    }
+    var result = vec3f(0.0);
+    if (covered) {
+        let lobe = sh$N_cosine(receiver.normal);
+        let shadowed = reflected(sh$N_product(exponential(f), lobe));
+        result = bounded(shadowed, reflected(lobe));
+    }
+    radiance[index] = vec4f(result, 0.0);
+}

@@ -1,0 +1,166 @@
+//! The linker: one flat WGSL text out of a pass, the pieces it imports and the generated library.
+//!
+//! Three things happen, all of them to lines of text, so that what comes out reads like what went in:
+//!
+//! 1. **Imports.** A line `#import shared/x` at the start of a line brings in the module `shared/x` and
+//!    what that imports, each once, before the importing text. `#import library` is the library that
+//!    sh-codegen generates for the order at hand. An import that does not exist is an error that names
+//!    file and line.
+//! 2. **Specialisation.** `$N` stands for the order and `$C` for its number of coefficients, as in
+//!    `sh$N_product` and `array<f32, $C>`.
+//! 3. **Pruning.** Only what the entry points reach stays: drivers compile every function they are given.
+//!
+//! The linker knows the items of a module by their form: an item starts at the left margin, with its
+//! comments and attributes, and ends with the first line at the left margin that ends in `}` or `;`.
+
+use std::collections::HashSet;
+use std::fmt;
+
+/// What was wrong with a module, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LinkError {
+    /// The module's file, as in `shared/records.wgsl`.
+    pub file: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// What was wrong and what would be right.
+    pub message: String,
+}
+
+impl fmt::Display for LinkError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: {}", self.file, self.line, self.message)
+    }
+}
+
+impl std::error::Error for LinkError {}
+
+/// A declaration at the top level of a module.
+struct Item {
+    text: String,
+    name: String,
+    uses: HashSet<String>,
+    entry: bool,
+}
+
+/// Links the module `pass` for one order. `read` gives a module's text by its import name, if there is
+/// such a module.
+pub fn link(
+    pass: &str,
+    order: usize,
+    read: &dyn Fn(&str) -> Option<String>,
+) -> Result<String, LinkError> {
+    let mut items = Vec::new();
+    let mut seen = HashSet::from([pass.to_string()]);
+    let text = read(pass).ok_or_else(|| LinkError {
+        file: format!("{pass}.wgsl"),
+        line: 1,
+        message: "there is no such pass".into(),
+    })?;
+    gather(pass, &text, order, read, &mut seen, &mut items)?;
+    let names: HashSet<String> = items.iter().map(|i| i.name.clone()).collect();
+    let mut reached = HashSet::new();
+    let mut open: Vec<&Item> = items.iter().filter(|i| i.entry).collect();
+    while let Some(item) = open.pop() {
+        if reached.insert(item.name.clone()) {
+            open.extend(items.iter().filter(|i| item.uses.contains(&i.name)));
+        }
+    }
+    debug_assert!(reached.is_subset(&names));
+    let kept = items.iter().filter(|i| reached.contains(&i.name));
+    Ok(kept.map(|i| i.text.as_str()).collect::<Vec<_>>().join("\n"))
+}
+
+/// Appends the items of a module, those of its imports first.
+fn gather(
+    module: &str,
+    text: &str,
+    order: usize,
+    read: &dyn Fn(&str) -> Option<String>,
+    seen: &mut HashSet<String>,
+    items: &mut Vec<Item>,
+) -> Result<(), LinkError> {
+    let mut own = Vec::new();
+    let mut item = String::new();
+    for (number, line) in text.lines().enumerate() {
+        let error = |message: String| LinkError {
+            file: format!("{module}.wgsl"),
+            line: number + 1,
+            message,
+        };
+        if let Some(import) = line.strip_prefix("#import") {
+            let import = import.trim();
+            if seen.insert(import.to_string()) {
+                let text = read(import).ok_or_else(|| {
+                    error(format!(
+                        "imports `{import}`, but there is no {import}.wgsl; a module is named by its path \
+                         without the ending, or `library` for the generated routines"
+                    ))
+                })?;
+                gather(import, &text, order, read, seen, items)?;
+            }
+            continue;
+        }
+        let line = specialise(line, order).map_err(error)?;
+        let blank = line.trim().is_empty();
+        let bare = strip_comment(&item).trim().is_empty();
+        if blank && bare {
+            // A comment that stands alone belongs to the module, not to the item after it.
+            item.clear();
+            continue;
+        }
+        item += &line;
+        item.push('\n');
+        let code = strip_comment(&line);
+        if !code.starts_with([' ', '\t']) && code.trim_end().ends_with(['}', ';']) {
+            own.push(parse(std::mem::take(&mut item)).ok_or_else(|| {
+                error("this line ends something that declares no name: a function, struct, const, alias or var was expected".into())
+            })?);
+        }
+    }
+    if !strip_comment(&item).trim().is_empty() {
+        return Err(LinkError {
+            file: format!("{module}.wgsl"),
+            line: text.lines().count(),
+            message: "the last item does not end with `}` or `;` at the left margin".into(),
+        });
+    }
+    items.extend(own);
+    Ok(())
+}
+
+/// A line with `$N` and `$C` filled in.
+fn specialise(line: &str, order: usize) -> Result<String, String> {
+    let line = line.replace("$N", &order.to_string()).replace("$C", &(order * order).to_string());
+    match line.find('$') {
+        None => Ok(line),
+        Some(at) => Err(format!(
+            "`{}` is no placeholder; there are $N, the order, and $C, its number of coefficients",
+            line[at..].chars().take(2).collect::<String>()
+        )),
+    }
+}
+
+/// The text without its `//` comments.
+fn strip_comment(text: &str) -> String {
+    let code = text.lines().map(|line| line.split("//").next().unwrap_or(""));
+    code.collect::<Vec<_>>().join("\n")
+}
+
+/// Finds an item's name and the names it mentions.
+fn parse(text: String) -> Option<Item> {
+    let code = strip_comment(&text);
+    let words: Vec<&str> = code
+        .split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '@'))
+        .filter(|w| !w.is_empty())
+        .collect();
+    const ADDRESSING: [&str; 7] =
+        ["uniform", "storage", "workgroup", "private", "read", "write", "read_write"];
+    let keyword = words
+        .iter()
+        .position(|w| ["fn", "struct", "const", "alias", "var", "override"].contains(w))?;
+    let name = words[keyword + 1..].iter().find(|w| !ADDRESSING.contains(w))?.to_string();
+    let uses = words.iter().map(|w| w.to_string()).filter(|w| *w != name).collect();
+    let entry = words[..keyword].iter().any(|w| ["@compute", "@vertex", "@fragment"].contains(w));
+    Some(Item { text, name, uses, entry })
+}

@@ -1,0 +1,57 @@
+//! Every flat text is WGSL that naga accepts, and holds no more than its pass needs.
+
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use sh_kernels::{MAX_ORDER, MIN_ORDER, Pass, library, source};
+
+fn module(label: &str, text: &str) -> naga::Module {
+    let module = naga::front::wgsl::parse_str(text)
+        .unwrap_or_else(|error| panic!("{label}: {}", error.emit_to_string(text)));
+    Validator::new(ValidationFlags::all(), Capabilities::empty())
+        .validate(&module)
+        .unwrap_or_else(|error| panic!("{label}: {}", error.emit_to_string(text)));
+    module
+}
+
+#[test]
+fn every_pass_of_every_order_is_valid() {
+    for order in MIN_ORDER..=MAX_ORDER {
+        for pass in Pass::ALL {
+            let label = format!("{} {order}", pass.name());
+            let module = module(&label, source(pass, order).unwrap());
+            assert!(!module.entry_points.is_empty(), "{label} has no entry point");
+        }
+        module(&format!("library {order}"), library(order).unwrap());
+    }
+}
+
+#[test]
+fn only_shading_passes_carry_the_library() {
+    for order in MIN_ORDER..=MAX_ORDER {
+        assert!(!source(Pass::Gbuffer, order).unwrap().contains(&format!("sh{order}_")));
+        assert!(!source(Pass::Resolve, order).unwrap().contains(&format!("sh{order}_")));
+        let irradiance = source(Pass::Irradiance, order).unwrap();
+        assert!(irradiance.contains(&format!("fn sh{order}_cosine(")));
+        assert!(!irradiance.contains(&format!("fn sh{order}_product(")));
+        assert!(source(Pass::Shadow, order).unwrap().contains(&format!("fn sh{order}_product(")));
+    }
+}
+
+#[test]
+fn no_function_name_ends_in_a_digit() {
+    for order in MIN_ORDER..=MAX_ORDER {
+        for text in Pass::ALL.map(|pass| source(pass, order).unwrap()) {
+            for (_, function) in module("", text).functions.iter() {
+                let name = function.name.clone().unwrap();
+                assert!(!name.ends_with(|c: char| c.is_ascii_digit()), "{name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn orders_outside_the_range_are_absent() {
+    for order in [0, 1, 7, usize::MAX] {
+        assert!(source(Pass::Shadow, order).is_none());
+        assert!(library(order).is_none());
+    }
+}
