@@ -1,0 +1,316 @@
+//! The table of routines: what each is called, takes, returns and means. Every emitter prints from it.
+
+use crate::basis;
+use crate::direct;
+use crate::expr::{Graph, Ops, Value};
+use crate::fits;
+use crate::rings::Rings;
+use crate::rotation;
+
+/// The orders that routines are generated for.
+pub const ORDERS: std::ops::RangeInclusive<usize> = 2..=6;
+
+/// The shape of an argument or a result.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Shape {
+    /// One number.
+    Scalar,
+    /// A unit vector (x, y, z).
+    Direction,
+    /// A unit quaternion (x, y, z, w).
+    Quaternion,
+    /// A rotation matrix, row by row.
+    Matrix3,
+    /// n coefficients, one a band.
+    Zonal,
+    /// n² coefficients.
+    Vector,
+    /// Two numbers.
+    Pair,
+    /// The lower triangle of a symmetric n² × n² matrix, row by row.
+    Triangle,
+}
+
+impl Shape {
+    /// How many numbers.
+    pub fn len(self, order: usize) -> usize {
+        let c = order * order;
+        match self {
+            Self::Scalar => 1,
+            Self::Pair => 2,
+            Self::Direction => 3,
+            Self::Quaternion => 4,
+            Self::Matrix3 => 9,
+            Self::Zonal => order,
+            Self::Vector => c,
+            Self::Triangle => c * (c + 1) / 2,
+        }
+    }
+}
+
+/// How a routine's graph is made; the arguments' elements come as values.
+type Build = fn(&mut Graph, usize, &[Vec<Value>]) -> Vec<Value>;
+
+/// One routine for all orders.
+#[derive(Clone, Copy)]
+pub struct Routine {
+    /// Its name, without the order.
+    pub name: &'static str,
+    /// One sentence and what else there is to say.
+    pub doc: &'static str,
+    /// The equation and its source.
+    pub source: &'static str,
+    /// Names and shapes of the arguments.
+    pub arguments: &'static [(&'static str, Shape)],
+    /// Shape of the result.
+    pub result: Shape,
+    build: Build,
+}
+
+impl Routine {
+    /// The routine's graph for an order, fused and ready to be printed.
+    pub fn graph(&self, order: usize) -> Graph {
+        let mut g = Graph::default();
+        let arguments: Vec<_> = self
+            .arguments
+            .iter()
+            .enumerate()
+            .map(|(i, (_, shape))| g.inputs(i, shape.len(order)))
+            .collect();
+        g.outputs = (self.build)(&mut g, order, &arguments);
+        g.fuse();
+        g
+    }
+
+    /// Operations for an order.
+    pub fn ops(&self, order: usize) -> Ops {
+        self.graph(order).ops()
+    }
+}
+
+/// The routine of a name, if there is one.
+pub fn find(name: &str) -> Option<&'static Routine> {
+    ROUTINES.iter().chain(FORMS).find(|r| r.name == name)
+}
+
+/// From this order on the product on rings takes fewer instructions than the one term by term; measured by
+/// `cargo bench -p sh-benches --bench forms`.
+const RINGS_FROM: usize = 5;
+
+fn product(g: &mut Graph, order: usize, a: &[Value], b: &[Value]) -> Vec<Value> {
+    if order >= RINGS_FROM {
+        Rings::new(order).product(g, a, b)
+    } else {
+        direct::product(g, order, a, b)
+    }
+}
+
+const F: (&str, Shape) = ("f", Shape::Vector);
+const G: (&str, Shape) = ("g", Shape::Vector);
+const D: (&str, Shape) = ("d", Shape::Direction);
+const COS: (&str, Shape) = ("cos", Shape::Scalar);
+const SIN: (&str, Shape) = ("sin", Shape::Scalar);
+
+/// All routines that are emitted.
+pub const ROUTINES: &[Routine] = &[
+    Routine {
+        name: "basis",
+        doc: "The n² basis functions at the unit vector `d`.\n\n`f(d) = basis(d) · f` evaluates a vector.",
+        source: "Ren et al. 2006, eq. 1; real, orthonormal, without Condon–Shortley sign.",
+        arguments: &[D],
+        result: Shape::Vector,
+        build: |g, n, a| basis::basis(g, n, &a[0]),
+    },
+    Routine {
+        name: "cosine",
+        doc: "The cosine lobe about the unit normal `d`, over π: its dot product with radiance is the radiance that a white diffuse surface reflects.",
+        source: "Ren et al. 2006, eq. 9; Ramamoorthi and Hanrahan 2001: A_l/π = 1, 2/3, 1/4, 0, −1/24, 0.",
+        arguments: &[D],
+        result: Shape::Vector,
+        build: |g, n, a| basis::cosine(g, n, &a[0]),
+    },
+    Routine {
+        name: "zonal",
+        doc: "The zonal vector `z` about +Z, turned to the unit vector `d`.",
+        source: "Sloan et al. 2005; Ren et al. 2006, section 6.1: f_lm = √(4π/(2l+1)) z_l y_lm(d).",
+        arguments: &[("z", Shape::Zonal), D],
+        result: Shape::Vector,
+        build: |g, n, a| basis::zonal(g, n, &a[0], &a[1]),
+    },
+    Routine {
+        name: "product",
+        doc: "The product `f * g`, projected back to order n.\n\nCommutative, not associative: what lies above order n is dropped each time.",
+        source: "Ren et al. 2006, eq. 3.",
+        arguments: &[F, G],
+        result: Shape::Vector,
+        build: |g, n, a| product(g, n, &a[0], &a[1]),
+    },
+    Routine {
+        name: "square",
+        doc: "The product of `f` with itself, at about two thirds of a product's cost.",
+        source: "Ren et al. 2006, eq. 3 with g = f.",
+        arguments: &[F],
+        result: Shape::Vector,
+        build: |g, n, a| {
+            if n >= RINGS_FROM {
+                Rings::new(n).square(g, &a[0])
+            } else {
+                direct::square(g, n, &a[0])
+            }
+        },
+    },
+    Routine {
+        name: "product_cosine",
+        doc: "The product `f * H(d)` with the cosine lobe about `d`, cheaper than forming and multiplying it: what remains is a dot product with each channel of the light.",
+        source: "Ren et al. 2006, eq. 3 and 9.",
+        arguments: &[F, D],
+        result: Shape::Vector,
+        build: |g, n, a| {
+            let lobe = basis::cosine(g, n, &a[1]);
+            product(g, n, &a[0], &lobe)
+        },
+    },
+    Routine {
+        name: "triple",
+        doc: "The integral of the product of three functions over the sphere.",
+        source: "Ren et al. 2006, section 3: (a, b, c) = (a * b) · c.",
+        arguments: &[F, G, ("h", Shape::Vector)],
+        result: Shape::Scalar,
+        build: |g, n, a| {
+            let p = product(g, n, &a[0], &a[1]);
+            vec![g.dot(&p, &a[2])]
+        },
+    },
+    Routine {
+        name: "dot",
+        doc: "The integral of the product of two functions over the sphere.",
+        source: "Orthonormality: ∫ f g = Σ f_i g_i.",
+        arguments: &[F, G],
+        result: Shape::Scalar,
+        build: |g, _, a| vec![g.dot(&a[0], &a[1])],
+    },
+    Routine {
+        name: "product_matrix",
+        doc: "The symmetric matrix of multiplication by `f`: its lower triangle, row by row.",
+        source: "Ren et al. 2006, eq. 5.",
+        arguments: &[F],
+        result: Shape::Triangle,
+        build: |g, n, a| direct::matrix(g, n, &a[0]),
+    },
+    Routine {
+        name: "matrix_apply",
+        doc: "A symmetric matrix, given by its lower triangle, times a vector.",
+        source: "With the product matrix of f: M_f g = f * g.",
+        arguments: &[("m", Shape::Triangle), G],
+        result: Shape::Vector,
+        build: |g, n, a| {
+            let c = n * n;
+            (0..c)
+                .map(|i| {
+                    let row: Vec<_> = (0..c)
+                        .map(|j| {
+                            let (r, s) = (i.max(j), i.min(j));
+                            a[0][r * (r + 1) / 2 + s]
+                        })
+                        .collect();
+                    g.dot(&row, &a[1])
+                })
+                .collect()
+        },
+    },
+    Routine {
+        name: "rotate",
+        doc: "`f` rotated by the unit quaternion `q` = (x, y, z, w): (Rf)(s) = f(R⁻¹s).\n\nAs accurate for tilts of 1e-7 as for any other rotation.",
+        source: "R_z(α) R_y(β) R_z(γ) with the angles' cosines and sines from the quaternion; R_y by quarter turns about x.",
+        arguments: &[F, ("q", Shape::Quaternion)],
+        result: Shape::Vector,
+        build: |g, n, a| rotation::rotate(g, n, &a[0], &a[1]),
+    },
+    Routine {
+        name: "rotate_matrix",
+        doc: "`f` rotated by the rotation matrix `m`, given row by row: (Rf)(s) = f(R⁻¹s).",
+        source: "Shepperd 1978 to a quaternion, then as `rotate`.",
+        arguments: &[F, ("m", Shape::Matrix3)],
+        result: Shape::Vector,
+        build: |g, n, a| {
+            let q = rotation::quaternion(g, &a[1]);
+            rotation::rotate(g, n, &a[0], &q)
+        },
+    },
+    Routine {
+        name: "window",
+        doc: "`f` with band l scaled by cos(π/2 · l/h), and by 0 for l ≥ h: against ringing. `h` must be positive; 2n is a mild window.",
+        source: "Ren et al. 2006, section 7.",
+        arguments: &[F, ("h", Shape::Scalar)],
+        result: Shape::Vector,
+        build: |g, n, a| basis::window(g, n, &a[0], a[1][0]),
+    },
+    Routine {
+        name: "cap_visibility",
+        doc: "Zonal coefficients of the visibility past a circular blocker of angular radius θ about +Z, for any θ in 0..π, from its cosine and sine.",
+        source: "Ren et al. 2006, eq. 33, integrated in closed form.",
+        arguments: &[COS, SIN],
+        result: Shape::Zonal,
+        build: |g, n, a| basis::cap_visibility(g, n, a[0][0], a[1][0]),
+    },
+    Routine {
+        name: "cap_log",
+        doc: "Zonal coefficients of the logarithm of the visibility past a circular blocker of angular radius θ about +Z, for θ in 0..π/2, from its sine and cosine; no table look-up.",
+        source: "Ren et al. 2006, eq. 30–32, fitted; `gaunt fit` rewrites the coefficients and states their error.",
+        arguments: &[SIN, COS],
+        result: Shape::Zonal,
+        build: |g, n, a| fits::cap_log(g, n, a[0][0], a[1][0]),
+    },
+    Routine {
+        name: "add_cap_log",
+        doc: "`f` plus the logarithm of the visibility past a circular blocker about the unit vector `d`: what one blocker costs a receiver. The angular radius θ in 0..π/2 comes as its sine and cosine.",
+        source: "Ren et al. 2006, eq. 34 and 8, with the fitted logarithm of `cap_log`.",
+        arguments: &[F, SIN, COS, D],
+        result: Shape::Vector,
+        build: |g, n, a| fits::add_cap_log(g, n, &a[0], a[1][0], a[2][0], &a[3]),
+    },
+    Routine {
+        name: "optimal_linear",
+        doc: "The factors a and b of the optimal linear exponential a·1 + b·f̂ for a vector without DC, of norm ‖f̂‖ ≤ 1/4.",
+        source: "Ren et al. 2006, eq. 23–24, fitted; `gaunt fit` rewrites the coefficients and states their error.",
+        arguments: &[("norm", Shape::Scalar)],
+        result: Shape::Pair,
+        build: |g, n, a| fits::optimal_linear(g, n, a[0][0]),
+    },
+];
+
+/// Other forms of the same routines: counted and measured, not emitted by default.
+pub const FORMS: &[Routine] = &[
+    Routine {
+        name: "product/direct",
+        doc: "The product, term by term.",
+        source: "Snyder 2006, factored over pairs.",
+        arguments: &[F, G],
+        result: Shape::Vector,
+        build: |g, n, a| direct::product(g, n, &a[0], &a[1]),
+    },
+    Routine {
+        name: "product/rings",
+        doc: "The product on circles of latitude.",
+        source: "Gauss–Lobatto quadrature in z, exact.",
+        arguments: &[F, G],
+        result: Shape::Vector,
+        build: |g, n, a| Rings::new(n).product(g, &a[0], &a[1]),
+    },
+    Routine {
+        name: "square/direct",
+        doc: "The square, term by term.",
+        source: "Snyder 2006, factored over pairs.",
+        arguments: &[F],
+        result: Shape::Vector,
+        build: |g, n, a| direct::square(g, n, &a[0]),
+    },
+    Routine {
+        name: "square/rings",
+        doc: "The square on circles of latitude.",
+        source: "Gauss–Lobatto quadrature in z, exact.",
+        arguments: &[F],
+        result: Shape::Vector,
+        build: |g, n, a| Rings::new(n).square(g, &a[0]),
+    },
+];
