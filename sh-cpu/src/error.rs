@@ -1,0 +1,78 @@
+//! What can be wrong with what a caller hands in.
+
+/// Why a pass did not run. Nothing has been written then.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// An SH order without routines.
+    #[error("SH order {order} is not available: orders 2 to 6 are")]
+    Order {
+        /// The order asked for.
+        order: usize,
+    },
+    /// A light whose vector does not fit its order.
+    #[error("a light of order {order} has {} coefficients, not {found}", order * order)]
+    Coefficients {
+        /// The light's order.
+        order: usize,
+        /// The number of coefficients it came with.
+        found: usize,
+    },
+    /// A buffer of another length than the receivers it belongs to.
+    #[error("{buffer} has {found} entries for {expected} samples: it needs one each")]
+    Length {
+        /// Which buffer.
+        buffer: &'static str,
+        /// Samples or pixels there are.
+        expected: usize,
+        /// Entries found.
+        found: usize,
+    },
+    /// A mesh, texture or transform of an object that contradicts itself.
+    #[error("object {index} (\"{name}\"): {problem}")]
+    Object {
+        /// Index into the scene's objects.
+        index: usize,
+        /// The object's name.
+        name: String,
+        /// What is wrong and what would be right.
+        problem: String,
+    },
+    /// A camera that sees nothing.
+    #[error("the camera cannot be used: {problem}")]
+    Camera {
+        /// What is wrong and what would be right.
+        problem: String,
+    },
+    /// A picture without pixels, or with more than fit.
+    #[error(
+        "a picture of {width} by {height} pixels cannot be made: each side must be 1 to {MAX_SIDE}"
+    )]
+    Size {
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+    },
+    /// An environment map whose pixels do not fit its size.
+    #[error("an environment map of {width} by {height} texels has {found} pixels")]
+    Environment {
+        /// Texels across.
+        width: u32,
+        /// Texels down.
+        height: u32,
+        /// Pixels found.
+        found: usize,
+    },
+    /// A plan without a pass that the picture needs.
+    #[error(
+        "the plan has no {missing} pass: a picture needs gbuffer, irradiance or shadow, and resolve"
+    )]
+    Plan {
+        /// The pass that is missing.
+        missing: &'static str,
+    },
+}
+
+/// Largest width and height of a picture, in pixels.
+pub const MAX_SIDE: u32 = 16_384;

@@ -1,0 +1,266 @@
+//! The scene's triangles in world space, ready for casting rays.
+
+use crate::Error;
+use glam::{Mat3A, Vec3, Vec3A};
+use obvhs::aabb::Aabb;
+use obvhs::cwbvh::CwBvh;
+use obvhs::cwbvh::builder::build_cwbvh;
+use obvhs::ray::{Ray, RayHit};
+use obvhs::{Boundable, BvhBuildParams};
+use sh_scene::{Object, Scene};
+use std::time::Duration;
+
+/// All triangles of a scene and a bounding volume hierarchy over them. Built once per scene.
+#[derive(Debug)]
+pub struct Geometry<'a> {
+    pub(crate) scene: &'a Scene,
+    /// None where there is no triangle.
+    hierarchy: Option<CwBvh>,
+    /// World space corners, in the hierarchy's order.
+    corners: Vec<[Vec3A; 3]>,
+    /// Which triangle of the scene each is.
+    sources: Vec<Source>,
+}
+
+/// A triangle of the scene.
+#[derive(Clone, Copy, Debug)]
+struct Source {
+    object: u32,
+    triangle: u32,
+}
+
+/// Where a ray meets a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Metres along the ray.
+    pub distance: f32,
+    /// Position on the triangle, world space.
+    pub position: Vec3A,
+    /// Unit normal, interpolated between the vertices' and turned to the viewer's side of the surface.
+    pub normal: Vec3A,
+    /// Index of the object.
+    pub object: u32,
+    /// Texture coordinates, where the mesh has them.
+    pub uv: Option<[f32; 2]>,
+}
+
+/// The box of a triangle, a little larger: the hierarchy's slab test rounds, and a ray through an edge must
+/// not slip past both neighbours.
+struct Bounds(Aabb);
+
+impl Boundable for Bounds {
+    fn aabb(&self) -> Aabb {
+        self.0
+    }
+}
+
+impl<'a> Geometry<'a> {
+    /// Gathers the triangles and builds the hierarchy. Triangles of zero area are left out.
+    pub fn new(scene: &'a Scene) -> Result<Self, Error> {
+        let mut corners = Vec::new();
+        let mut sources = Vec::new();
+        for (index, object) in scene.objects.iter().enumerate() {
+            check(object).map_err(|problem| Error::Object {
+                index,
+                name: object.name.clone(),
+                problem,
+            })?;
+            let world: Vec<Vec3A> = object
+                .mesh
+                .positions
+                .iter()
+                .map(|&p| object.transform.transform_point3a(p.into()))
+                .collect();
+            for (triangle, indices) in object.mesh.triangles.iter().enumerate() {
+                let [a, b, c] = indices.map(|i| world[i as usize]);
+                let area = (b - a).cross(c - a);
+                if area != Vec3A::ZERO && area.is_finite() {
+                    corners.push([a, b, c]);
+                    sources.push(Source {
+                        object: index as u32,
+                        triangle: triangle as u32,
+                    });
+                }
+            }
+        }
+        if corners.is_empty() {
+            return Ok(Self {
+                scene,
+                hierarchy: None,
+                corners,
+                sources,
+            });
+        }
+
+        let reach = corners
+            .iter()
+            .flatten()
+            .fold(0.0, |reach: f32, p| reach.max(p.abs().max_element()));
+        let pad = Vec3A::splat(reach * 1e-6);
+        let bounds: Vec<Bounds> = corners
+            .iter()
+            .map(|corners| {
+                let tight = Aabb::from_points(corners);
+                Bounds(Aabb {
+                    min: tight.min - pad,
+                    max: tight.max + pad,
+                })
+            })
+            .collect();
+        let hierarchy = build_cwbvh(
+            &bounds,
+            BvhBuildParams::medium_build(),
+            &mut Duration::default(),
+        );
+        let order = &hierarchy.primitive_indices;
+        let corners = order.iter().map(|&i| corners[i as usize]).collect();
+        let sources = order.iter().map(|&i| sources[i as usize]).collect();
+        Ok(Self {
+            scene,
+            hierarchy: Some(hierarchy),
+            corners,
+            sources,
+        })
+    }
+
+    /// The nearest triangle along a ray with unit `direction`, from either side.
+    ///
+    /// Edges are tight: a ray that passes between two triangles with common corners hits one of them, as
+    /// both see the same projected corners (after Woop, Benthin and Wald, 2013, "Watertight ray/triangle
+    /// intersection").
+    ///
+    /// The outside of a triangle is the side its vertex normals point to. Seen from behind (an open mesh),
+    /// the interpolated normal is turned round; seen from the front it is left alone even where the
+    /// interpolation leans away from the viewer, as it does along silhouettes.
+    pub fn cast(&self, origin: Vec3A, direction: Vec3A) -> Option<Hit> {
+        let hierarchy = self.hierarchy.as_ref()?;
+        let view = ViewSpace::new(origin, direction);
+        let mut nearest = RayHit::none();
+        // + 0 turns -0 into 0: the slab test takes the sign of a component once by comparison and once from
+        // its reciprocal, and for -0 the two differ.
+        let ray = Ray::new_inf(origin, direction + Vec3A::ZERO);
+        let found = hierarchy.ray_traverse(ray, &mut nearest, |_, id| {
+            view.meet(&self.corners[id])
+                .map_or(f32::INFINITY, |(_, distance)| distance)
+        });
+        if !found {
+            return None;
+        }
+        let id = nearest.primitive_id as usize;
+        let (weights, distance) = view.meet(&self.corners[id])?;
+        Some(self.hit(id, weights, distance, direction))
+    }
+
+    /// Interpolates the vertices' attributes.
+    fn hit(&self, id: usize, weights: [f32; 3], distance: f32, direction: Vec3A) -> Hit {
+        let [a, b, c] = self.corners[id];
+        let source = self.sources[id];
+        let object = &self.scene.objects[source.object as usize];
+        let indices = object.mesh.triangles[source.triangle as usize].map(|i| i as usize);
+        let to_world: Mat3A = object.transform.matrix3;
+        let normals = indices.map(|i| to_world * Vec3A::from_array(object.mesh.normals[i]));
+
+        let plane = (b - a).cross(c - a);
+        let outside = if plane.dot(normals[0] + normals[1] + normals[2]) < 0.0 {
+            -plane
+        } else {
+            plane
+        };
+        let smooth = normals[0] * weights[0] + normals[1] * weights[1] + normals[2] * weights[2];
+        let smooth = smooth
+            .try_normalize()
+            .unwrap_or_else(|| outside.normalize());
+        let normal = if outside.dot(direction) > 0.0 {
+            -smooth
+        } else {
+            smooth
+        };
+
+        let uv = (!object.mesh.uvs.is_empty()).then(|| {
+            let [u, v, w] = indices.map(|i| object.mesh.uvs[i]);
+            core::array::from_fn(|k| u[k] * weights[0] + v[k] * weights[1] + w[k] * weights[2])
+        });
+        Hit {
+            distance,
+            position: a * weights[0] + b * weights[1] + c * weights[2],
+            normal,
+            object: source.object,
+            uv,
+        }
+    }
+}
+
+/// A ray's own coordinates: x and y across it, z along.
+struct ViewSpace {
+    origin: Vec3A,
+    axes: Mat3A,
+}
+
+impl ViewSpace {
+    #[inline(always)]
+    fn new(origin: Vec3A, direction: Vec3A) -> Self {
+        let (x, y) = Vec3::from(direction).any_orthonormal_pair();
+        let axes = Mat3A::from_cols(x.into(), y.into(), direction).transpose();
+        Self { origin, axes }
+    }
+
+    /// Barycentric weights and distance where the ray meets the triangle, if it does in front.
+    #[inline(always)]
+    fn meet(&self, corners: &[Vec3A; 3]) -> Option<([f32; 3], f32)> {
+        let [a, b, c] = corners.map(|p| self.axes * (p - self.origin));
+        let u = c.x * b.y - c.y * b.x;
+        let v = a.x * c.y - a.y * c.x;
+        let w = b.x * a.y - b.y * a.x;
+        let mixed = (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0);
+        let sum = u + v + w;
+        if mixed || sum == 0.0 {
+            return None;
+        }
+        let weights = [u / sum, v / sum, w / sum];
+        let distance = a.z * weights[0] + b.z * weights[1] + c.z * weights[2];
+        (distance > 0.0 && distance < f32::INFINITY).then_some((weights, distance))
+    }
+}
+
+/// Whether the parts of an object fit each other; the sentence that says what does not.
+fn check(object: &Object) -> Result<(), String> {
+    let mesh = &object.mesh;
+    let vertices = mesh.positions.len();
+    if mesh.normals.len() != vertices {
+        return Err(format!(
+            "{vertices} positions but {} normals; each position needs one",
+            mesh.normals.len()
+        ));
+    }
+    if !mesh.uvs.is_empty() && mesh.uvs.len() != vertices {
+        return Err(format!(
+            "{vertices} positions but {} texture coordinates; each position needs one, or none has",
+            mesh.uvs.len()
+        ));
+    }
+    if let Some(at) = mesh.positions.iter().flatten().position(|c| !c.is_finite()) {
+        return Err(format!("position {} is not finite", at / 3));
+    }
+    for (at, triangle) in mesh.triangles.iter().enumerate() {
+        if let Some(index) = triangle.iter().find(|&&index| index as usize >= vertices) {
+            return Err(format!(
+                "triangle {at} refers to vertex {index} of {vertices}"
+            ));
+        }
+    }
+    if !object.transform.is_finite() {
+        return Err("its transform is not finite".into());
+    }
+    if let Some(texture) = &object.material.texture {
+        let bytes = texture.width as usize * texture.height as usize * 4;
+        if bytes == 0 || texture.rgba.len() != bytes {
+            return Err(format!(
+                "a texture of {} by {} texels needs {bytes} bytes (and at least one texel), not {}",
+                texture.width,
+                texture.height,
+                texture.rgba.len()
+            ));
+        }
+    }
+    Ok(())
+}
