@@ -13,8 +13,16 @@ macro_rules! real {
 }
 
 real! {
+    cos, f64, cos;
     exp, f64, exp;
     expf, f32, exp;
+    sin, f64, sin;
     sqrt, f64, sqrt;
     sqrtf, f32, sqrt;
+}
+
+#[cfg(feature = "log")]
+real! {
+    log, f64, ln;
+    log1p, f64, ln_1p;
 }

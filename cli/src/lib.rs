@@ -1,0 +1,3 @@
+//! The program's parts, as a library so that tests can call them.
+
+pub mod fit;

@@ -1,0 +1,138 @@
+//! The exponential of a log visibility.
+//!
+//! Both methods of Ren et al. 2006, section 4, that a shader can afford. They isolate DC analytically
+//! (eq. 20: f = f̂ + f₀/√(4π) · 1), divide f̂ by 2^p, approximate its exponential there, and square the result
+//! p times (eq. 21), with p = max(0, ⌊log₂‖f̂‖⌋ + 3), so that ‖f̂‖/2^p < 1/4. p has no upper limit here: the
+//! cost grows with log₂‖f̂‖.
+//!
+//! Domain: ‖f̂‖² must not overflow (‖f̂‖ < 1e19 in f32). Squares truncate to order n each time: for heavily
+//! overlapping blockers (‖f̂‖ above about 10 at order 4) the error of the series grows beyond the visibility
+//! itself, although each operation is accurate. Results are finite while they are smaller than the largest
+//! float; no bound in [0, 1] is promised.
+
+use crate::{Lane, ROOT_FOUR_PI, Routines};
+
+/// Halvings that bring any finite norm of f32 (2^128) or f64 (2^1024) below 1/4.
+const MOST_HALVINGS: u32 = 1026;
+
+/// exp*(f) by a factored product series of degree `degree` after scaling: PS*-p of Ren et al. 2006.
+///
+/// Even and odd powers are kept apart (eq. 22), so that degree p costs about (p+1)/2 products; degree 2
+/// costs one square. Then comes one square for each halving.
+///
+/// ```
+/// use sh_core::{Sh4d, exp};
+/// let g = exp::ps_star(&(Sh4d::ONE * -0.5).0, 2);
+/// assert!((g[0] - (-0.5_f64).exp() * Sh4d::ONE[0]).abs() < 1e-15);
+/// ```
+#[inline(always)]
+pub fn ps_star<L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    scaled(f, |h, _| series(h, degree))
+}
+
+/// exp*(f) by the optimal linear approximation after scaling: HYB of Ren et al. 2006.
+///
+/// Where PS* sums a series, HYB takes a·1 + b·f̂ with a and b fitted as functions of ‖f̂‖ (eq. 23–24): no
+/// product but the squares.
+///
+/// ```
+/// use sh_core::{Sh4d, exp};
+/// let mut f = Sh4d::basis([0.0, 0.0, 1.0]) * -0.05;
+/// let (hyb, series) = (exp::hyb(&f.0), exp::ps_star(&f.0, 6));
+/// assert!(hyb.iter().zip(series).all(|(a, b)| (a - b).abs() < 1e-2));
+/// ```
+#[inline(always)]
+pub fn hyb<L: Lane, const C: usize>(f: &[L; C]) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    scaled(f, |h, norm| {
+        let [a, b] = <[L; C]>::optimal_linear(norm);
+        let mut g = h.map(|x| x * b);
+        g[0] = a * a.lift(ROOT_FOUR_PI);
+        g
+    })
+}
+
+/// DC isolation and scaling/squaring around an approximation `exp` for vectors without DC of norm < 1/4,
+/// which is given the vector and its norm.
+#[inline(always)]
+fn scaled<L: Lane, const C: usize>(f: &[L; C], exp: impl Fn(&[L; C], L) -> [L; C]) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    let zero = f[0].lift(0.0);
+    let mut h = *f;
+    h[0] = zero;
+    let norm = h.dot(&h).sqrt();
+    // p by comparisons: exact, and the same in every lane width and on the GPU. Lanes have their own p; the
+    // loop runs for the largest. A norm that is not finite ends at the limit instead of never.
+    let quarter = zero.lift(0.25);
+    let half = zero.lift(0.5);
+    let mut scale = zero.lift(1.0);
+    let mut squarings = zero;
+    let mut most = 0;
+    while most < MOST_HALVINGS {
+        let large = (norm * scale).lt(quarter);
+        let next = L::select(large, scale, scale * half);
+        if !L::any(next.lt(scale)) {
+            break;
+        }
+        squarings = L::select(next.lt(scale), squarings + zero.lift(1.0), squarings);
+        scale = next;
+        most += 1;
+    }
+    let mut g = exp(&h.map(|x| x * scale), norm * scale);
+    let mut done = zero;
+    for _ in 0..most {
+        let squared = g.square();
+        let more = done.lt(squarings);
+        for (a, b) in g.iter_mut().zip(squared) {
+            *a = L::select(more, b, *a);
+        }
+        done = done + zero.lift(1.0);
+    }
+    let dc = (f[0] * zero.lift(1.0 / ROOT_FOUR_PI)).exp();
+    g.map(|x| x * dc)
+}
+
+/// Σ_k f^k/k! up to `degree`, even and odd powers apart (eq. 22).
+#[inline(always)]
+fn series<L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    let zero = f[0].lift(0.0);
+    let mut even = <[L; C]>::filled(zero);
+    even[0] = zero.lift(ROOT_FOUR_PI);
+    if degree < 2 {
+        for (a, b) in even.iter_mut().zip(f) {
+            *a = if degree == 1 { *a + *b } else { *a };
+        }
+        return even;
+    }
+    let square = f.square();
+    let mut odd = even;
+    let mut power = square;
+    let mut factorial = 1.0;
+    for k in 2..=degree {
+        factorial *= k as f64;
+        let weight = zero.lift(1.0 / factorial);
+        let sum = if k % 2 == 0 { &mut even } else { &mut odd };
+        for (a, b) in sum.iter_mut().zip(power) {
+            *a = b.mul_add(weight, *a);
+        }
+        if k % 2 == 1 && k < degree {
+            power = power.product(&square);
+        }
+    }
+    // Degree 2 has no odd power but f itself: no product is spent on it.
+    let odd = if degree == 2 { *f } else { f.product(&odd) };
+    for (a, b) in even.iter_mut().zip(odd) {
+        *a = *a + b;
+    }
+    even
+}

@@ -1,0 +1,87 @@
+//! The logarithm of a visibility vector, by eigenanalysis of its product matrix (feature `log`).
+//!
+//! Ren et al. 2006, section 5. With M_g = Rᵀ D R the product matrix of g,
+//!
+//! ```text
+//! log(g) = Rᵀ q'(D) R (g − 1),     q'(x) = log(x)/(x − 1)          (eq. 30, 31)
+//! ```
+//!
+//! inverts the product series of the exponential as far as it can be inverted. Eigenvalues are first
+//! clipped to 0.02 of the largest (eq. 32): g is truncated, so M_g of a visibility may have eigenvalues at
+//! or below zero. This is a preprocess: an eigenanalysis of an n² × n² matrix.
+
+use crate::{ROOT_FOUR_PI, Routines, real};
+use nalgebra::{SMatrix, SVector};
+
+/// Eigenvalues below this part of the largest are raised to it.
+pub const CLIP: f64 = 0.02;
+
+/// An array of n² coefficients whose logarithm can be taken; implemented for orders 2 to 6.
+pub trait Logarithm: Routines<f64> {
+    /// log(g). Finite for every finite g; a g whose product matrix has no positive eigenvalue (nothing is
+    /// visible anywhere) gets the logarithm of 1e-30.
+    ///
+    /// ```
+    /// use sh_core::{Sh4d, exp, log::Logarithm};
+    /// let half = (Sh4d::ONE * 0.5).0.log();
+    /// assert!((half[0] / Sh4d::ONE[0] - 0.5_f64.ln()).abs() < 1e-12);
+    /// ```
+    fn log(&self) -> Self;
+}
+
+macro_rules! logarithm {
+    ($($c:literal)*) => { $(
+        impl Logarithm for [f64; $c] {
+            fn log(&self) -> Self {
+                let lower = self.product_matrix();
+                let matrix = SMatrix::<f64, $c, $c>::from_fn(|i, j| {
+                    let (r, c) = (i.max(j), i.min(j));
+                    lower[r * (r + 1) / 2 + c]
+                });
+                let eigen = matrix.symmetric_eigen();
+                let largest = eigen.eigenvalues.max().max(1e-30 / CLIP);
+                let mut rest = SVector::<f64, $c>::from_column_slice(self);
+                rest[0] -= ROOT_FOUR_PI;
+                let mut along = eigen.eigenvectors.tr_mul(&rest);
+                for (a, value) in along.iter_mut().zip(eigen.eigenvalues.iter()) {
+                    *a *= inverse_growth(value.max(CLIP * largest));
+                }
+                (eigen.eigenvectors * along).into()
+            }
+        }
+    )* };
+}
+logarithm!(4 9 16 25 36);
+
+/// q'(x) = log(x)/(x − 1), 1 at x = 1; accurate throughout because the argument of `ln_1p` is exact there.
+fn inverse_growth(x: f64) -> f64 {
+    let d = x - 1.0;
+    if d == 0.0 { 1.0 } else { real::log1p(d) / d }
+}
+
+/// The naive logarithm of a zonal function about +Z: sampled, clipped to `floor` from below, projected back
+/// (Ren et al. 2006, eq. 25). Kept for comparison: it ignores what the exponential truncates.
+///
+/// 4,096 midpoints in z: integration error below 1e-5 of ‖log‖.
+pub fn clipped_samples<const C: usize>(
+    z: <[f64; C] as Routines<f64>>::Zonal,
+    floor: f64,
+) -> <[f64; C] as Routines<f64>>::Zonal
+where
+    [f64; C]: Routines<f64>,
+{
+    const COUNT: usize = 4096;
+    let order = <[f64; C]>::ORDER;
+    let mut out = z;
+    out.as_mut().fill(0.0);
+    for i in 0..COUNT {
+        let height = (2 * i + 1) as f64 / COUNT as f64 - 1.0;
+        let y = <[f64; C]>::basis([real::sqrt(1.0 - height * height), 0.0, height]);
+        let value: f64 = (0..order).map(|l| z.as_ref()[l] * y[l * l + l]).sum();
+        let log = real::log(value.max(floor));
+        for l in 0..order {
+            out.as_mut()[l] += log * y[l * l + l] * (4.0 * core::f64::consts::PI / COUNT as f64);
+        }
+    }
+    out
+}
