@@ -69,8 +69,12 @@ fn color_at(column: i32, row: i32) -> vec3f {
 
 @fragment
 fn body_fragment(fragment: Fragment) -> Targets {
-    let albedo = body.albedo * textured(fragment.uv);
-    return targets(fragment.position, body.object, normalize(fragment.normal), albedo);
+    // An open mesh seen from behind: the normal turns to the viewer's side. Seen from the front it is left
+    // alone, even where the smooth normal leans away.
+    let plane = cross(dpdx(fragment.position), dpdy(fragment.position));
+    let behind = dot(plane, fragment.normal) * dot(plane, fragment.position - band.eye) > 0.0;
+    let normal = normalize(select(fragment.normal, -fragment.normal, behind));
+    return targets(fragment.position, body.object, normal, body.albedo * textured(fragment.uv));
 }
 
 // A triangle that covers the band.

@@ -19,23 +19,6 @@
 
 var<workgroup> tile: array<Sphere, WORKGROUP>;
 
-// The SH logarithm of one blocker's visibility, added to f.
-fn add_blocker(f: array<f32, $C>, receiver: Receiver, sphere: Sphere) -> array<f32, $C> {
-    let part = visible_part(receiver, sphere);
-    let distance = length(part.xyz);
-    if (!(part.w > 0.0 && distance > 0.0)) {
-        return f;
-    }
-    let sine = min(part.w / distance, 1.0);
-    let cosine = sqrt((1.0 - sine) * (1.0 + sine));
-    let log_visibility = sh$N_zonal(sh$N_cap_log(sine, cosine), part.xyz / distance);
-    var sum = f;
-    for (var i = 0u; i < $Cu; i += 1u) {
-        sum[i] += log_visibility[i];
-    }
-    return sum;
-}
-
 @compute @workgroup_size(64)
 fn shadow(
     @builtin(workgroup_id) workgroup: vec3u,
@@ -58,7 +41,10 @@ fn shadow(
         workgroupBarrier();
         let filled = select(0u, min(WORKGROUP, lighting.blockers - first), covered);
         for (var i = 0u; i < filled; i += 1u) {
-            f = add_blocker(f, receiver, tile[i]);
+            let blocker = replace(tile[i].center - receiver.position, receiver.normal, tile[i].radius);
+            if (blocker.sine > 0.0) {
+                f = sh$N_add_cap_log(f, blocker.sine, blocker.cosine, blocker.direction);
+            }
         }
     }
     if (!inside) {
@@ -66,9 +52,9 @@ fn shadow(
     }
     var result = vec3f(0.0);
     if (covered) {
-        let lobe = sh$N_cosine(receiver.normal);
-        let shadowed = reflected(sh$N_product(exponential(f), lobe));
-        result = bounded(shadowed, reflected(lobe));
+        let visibility = sh$N_exponential_$E(f);
+        let shadowed = reflected(sh$N_product_cosine(visibility, receiver.normal));
+        result = bounded(shadowed, reflected(sh$N_cosine(receiver.normal)));
     }
     radiance[index] = vec4f(result, 0.0);
 }

@@ -12,8 +12,8 @@ fn reflected(transfer: array<f32, $C>) -> vec3f {
 }
 
 // Shadowed radiance held within [0, unshadowed]. What is not a number (a series that ran over its range)
-// becomes 0.
+// fails the comparison and becomes 0.
 fn bounded(shadowed: vec3f, unshadowed: vec3f) -> vec3f {
-    let number = shadowed == shadowed;
-    return select(vec3f(0.0), clamp(shadowed, vec3f(0.0), max(unshadowed, vec3f(0.0))), number);
+    let most = max(unshadowed, vec3f(0.0));
+    return select(vec3f(0.0), min(shadowed, most), shadowed > vec3f(0.0));
 }

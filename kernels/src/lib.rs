@@ -62,11 +62,36 @@ impl Pass {
 macro_rules! linked {
     ($name:literal, $order:expr) => {
         match $order {
-            2 => Some(include_str!(concat!(env!("OUT_DIR"), "/", $name, "_2.wgsl"))),
-            3 => Some(include_str!(concat!(env!("OUT_DIR"), "/", $name, "_3.wgsl"))),
-            4 => Some(include_str!(concat!(env!("OUT_DIR"), "/", $name, "_4.wgsl"))),
-            5 => Some(include_str!(concat!(env!("OUT_DIR"), "/", $name, "_5.wgsl"))),
-            6 => Some(include_str!(concat!(env!("OUT_DIR"), "/", $name, "_6.wgsl"))),
+            2 => Some(include_str!(concat!(
+                env!("OUT_DIR"),
+                "/",
+                $name,
+                "_2.wgsl"
+            ))),
+            3 => Some(include_str!(concat!(
+                env!("OUT_DIR"),
+                "/",
+                $name,
+                "_3.wgsl"
+            ))),
+            4 => Some(include_str!(concat!(
+                env!("OUT_DIR"),
+                "/",
+                $name,
+                "_4.wgsl"
+            ))),
+            5 => Some(include_str!(concat!(
+                env!("OUT_DIR"),
+                "/",
+                $name,
+                "_5.wgsl"
+            ))),
+            6 => Some(include_str!(concat!(
+                env!("OUT_DIR"),
+                "/",
+                $name,
+                "_6.wgsl"
+            ))),
             _ => None,
         }
     };
@@ -83,8 +108,9 @@ pub fn source(pass: Pass, order: usize) -> Option<&'static str> {
     }
 }
 
-/// The generated routines of an SH order as a WGSL function library, without any pass, or `None` for an
-/// order outside [`MIN_ORDER`] to [`MAX_ORDER`].
+/// The routines of an SH order as a WGSL function library, without any pass: all that sh-codegen generates,
+/// and the exponential, `sh4_exponential_ps_star` and `sh4_exponential_hyb` at order 4. `None` for an order
+/// outside [`MIN_ORDER`] to [`MAX_ORDER`].
 pub fn library(order: usize) -> Option<&'static str> {
     linked!("library", order)
 }

@@ -6,8 +6,8 @@
 //!    what that imports, each once, before the importing text. `#import library` is the library that
 //!    sh-codegen generates for the order at hand. An import that does not exist is an error that names
 //!    file and line.
-//! 2. **Specialisation.** `$N` stands for the order and `$C` for its number of coefficients, as in
-//!    `sh$N_product` and `array<f32, $C>`.
+//! 2. **Specialisation.** `$N` stands for the order, `$C` for its number of coefficients and `$E` for the
+//!    method of the exponential, as in `sh$N_product`, `array<f32, $C>` and `exponential_$E`.
 //! 3. **Pruning.** Only what the entry points reach stays: drivers compile every function they are given.
 //!
 //! The linker knows the items of a module by their form: an item starts at the left margin, with its
@@ -43,30 +43,38 @@ struct Item {
     entry: bool,
 }
 
-/// Links the module `pass` for one order. `read` gives a module's text by its import name, if there is
-/// such a module.
+/// What the placeholders stand for.
+#[derive(Clone, Copy, Debug)]
+pub struct Choice<'a> {
+    /// SH order.
+    pub order: usize,
+    /// Method of the exponential.
+    pub exponential: &'a str,
+}
+
+/// Links the module `root`: what its entry points reach, or all of it where it has none. `read` gives a
+/// module's text by its import name, if there is such a module.
 pub fn link(
-    pass: &str,
-    order: usize,
+    root: &str,
+    choice: Choice<'_>,
     read: &dyn Fn(&str) -> Option<String>,
 ) -> Result<String, LinkError> {
     let mut items = Vec::new();
-    let mut seen = HashSet::from([pass.to_string()]);
-    let text = read(pass).ok_or_else(|| LinkError {
-        file: format!("{pass}.wgsl"),
+    let mut seen = HashSet::from([root.to_string()]);
+    let text = read(root).ok_or_else(|| LinkError {
+        file: format!("{root}.wgsl"),
         line: 1,
-        message: "there is no such pass".into(),
+        message: "there is no such module".into(),
     })?;
-    gather(pass, &text, order, read, &mut seen, &mut items)?;
-    let names: HashSet<String> = items.iter().map(|i| i.name.clone()).collect();
+    gather(root, &text, choice, read, &mut seen, &mut items)?;
+    let library = !items.iter().any(|i| i.entry);
     let mut reached = HashSet::new();
-    let mut open: Vec<&Item> = items.iter().filter(|i| i.entry).collect();
+    let mut open: Vec<&Item> = items.iter().filter(|i| i.entry || library).collect();
     while let Some(item) = open.pop() {
         if reached.insert(item.name.clone()) {
             open.extend(items.iter().filter(|i| item.uses.contains(&i.name)));
         }
     }
-    debug_assert!(reached.is_subset(&names));
     let kept = items.iter().filter(|i| reached.contains(&i.name));
     Ok(kept.map(|i| i.text.as_str()).collect::<Vec<_>>().join("\n"))
 }
@@ -75,7 +83,7 @@ pub fn link(
 fn gather(
     module: &str,
     text: &str,
-    order: usize,
+    choice: Choice<'_>,
     read: &dyn Fn(&str) -> Option<String>,
     seen: &mut HashSet<String>,
     items: &mut Vec<Item>,
@@ -97,11 +105,11 @@ fn gather(
                          without the ending, or `library` for the generated routines"
                     ))
                 })?;
-                gather(import, &text, order, read, seen, items)?;
+                gather(import, &text, choice, read, seen, items)?;
             }
             continue;
         }
-        let line = specialise(line, order).map_err(error)?;
+        let line = specialise(line, choice).map_err(error)?;
         let blank = line.trim().is_empty();
         let bare = strip_comment(&item).trim().is_empty();
         if blank && bare {
@@ -129,13 +137,18 @@ fn gather(
     Ok(())
 }
 
-/// A line with `$N` and `$C` filled in.
-fn specialise(line: &str, order: usize) -> Result<String, String> {
-    let line = line.replace("$N", &order.to_string()).replace("$C", &(order * order).to_string());
+/// A line with `$N`, `$C` and `$E` filled in.
+fn specialise(line: &str, choice: Choice<'_>) -> Result<String, String> {
+    let coefficients = choice.order * choice.order;
+    let line = line
+        .replace("$N", &choice.order.to_string())
+        .replace("$C", &coefficients.to_string())
+        .replace("$E", choice.exponential);
     match line.find('$') {
         None => Ok(line),
         Some(at) => Err(format!(
-            "`{}` is no placeholder; there are $N, the order, and $C, its number of coefficients",
+            "`{}` is no placeholder; there are $N, the order, $C, its number of coefficients, and $E, the \
+             method of the exponential",
             line[at..].chars().take(2).collect::<String>()
         )),
     }
@@ -143,7 +156,9 @@ fn specialise(line: &str, order: usize) -> Result<String, String> {
 
 /// The text without its `//` comments.
 fn strip_comment(text: &str) -> String {
-    let code = text.lines().map(|line| line.split("//").next().unwrap_or(""));
+    let code = text
+        .lines()
+        .map(|line| line.split("//").next().unwrap_or(""));
     code.collect::<Vec<_>>().join("\n")
 }
 
@@ -154,13 +169,34 @@ fn parse(text: String) -> Option<Item> {
         .split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '@'))
         .filter(|w| !w.is_empty())
         .collect();
-    const ADDRESSING: [&str; 7] =
-        ["uniform", "storage", "workgroup", "private", "read", "write", "read_write"];
+    const ADDRESSING: [&str; 7] = [
+        "uniform",
+        "storage",
+        "workgroup",
+        "private",
+        "read",
+        "write",
+        "read_write",
+    ];
     let keyword = words
         .iter()
         .position(|w| ["fn", "struct", "const", "alias", "var", "override"].contains(w))?;
-    let name = words[keyword + 1..].iter().find(|w| !ADDRESSING.contains(w))?.to_string();
-    let uses = words.iter().map(|w| w.to_string()).filter(|w| *w != name).collect();
-    let entry = words[..keyword].iter().any(|w| ["@compute", "@vertex", "@fragment"].contains(w));
-    Some(Item { text, name, uses, entry })
+    let name = words[keyword + 1..]
+        .iter()
+        .find(|w| !ADDRESSING.contains(w))?
+        .to_string();
+    let uses = words
+        .iter()
+        .map(|w| w.to_string())
+        .filter(|w| *w != name)
+        .collect();
+    let entry = words[..keyword]
+        .iter()
+        .any(|w| ["@compute", "@vertex", "@fragment"].contains(w));
+    Some(Item {
+        text,
+        name,
+        uses,
+        entry,
+    })
 }

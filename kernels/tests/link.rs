@@ -3,12 +3,21 @@
 #[path = "../src/link.rs"]
 mod link;
 
-use link::{LinkError, link};
+use link::{Choice, LinkError, link};
 
 fn files(list: &[(&str, &str)]) -> impl Fn(&str) -> Option<String> + use<> {
-    let list: Vec<(String, String)> =
-        list.iter().map(|(n, t)| (n.to_string(), t.to_string())).collect();
+    let list: Vec<(String, String)> = list
+        .iter()
+        .map(|(n, t)| (n.to_string(), t.to_string()))
+        .collect();
     move |name| list.iter().find(|(n, _)| n == name).map(|(_, t)| t.clone())
+}
+
+fn of(order: usize) -> Choice<'static> {
+    Choice {
+        order,
+        exponential: "hyb",
+    }
 }
 
 const MAIN: &str = "@compute @workgroup_size(64)\nfn main() {\n    used();\n}\n";
@@ -21,7 +30,7 @@ fn imports_come_first_and_once() {
         ("a", "#import b\nfn used() {\n    deep();\n}\n"),
         ("b", "fn deep() {}\n"),
     ]);
-    let text = link("pass", 4, &read).unwrap();
+    let text = link("pass", of(4), &read).unwrap();
     assert_eq!(text.matches("fn deep()").count(), 1);
     let at = |what: &str| text.find(what).unwrap();
     assert!(at("fn deep()") < at("fn used()") && at("fn used()") < at("fn main()"));
@@ -33,33 +42,49 @@ fn unused_items_go_and_keep_their_comments_to_themselves() {
         "// About the file.\n\n// Unused.\nfn idle() {{}}\n\nconst SIZE: u32 = 4u;\n\n\
          // Used.\nfn used() {{\n    let size = SIZE;\n}}\n{MAIN}"
     );
-    let text = link("pass", 4, &files(&[("pass", &pass)])).unwrap();
+    let text = link("pass", of(4), &files(&[("pass", &pass)])).unwrap();
     assert!(text.contains("// Used.\nfn used()") && text.contains("const SIZE"));
     assert!(!text.contains("idle") && !text.contains("Unused.") && !text.contains("About"));
 }
 
 #[test]
 fn placeholders_are_filled_in() {
-    let pass = format!("fn used() {{\n    var f: array<f32, $C> = sh$N_basis();\n}}\n{MAIN}");
-    let text = link("pass", 3, &files(&[("pass", &pass)])).unwrap();
-    assert!(text.contains("array<f32, 9> = sh3_basis()"));
+    let pass =
+        format!("fn used() {{\n    var f: array<f32, $C> = sh$N_exponential_$E();\n}}\n{MAIN}");
+    let text = link("pass", of(3), &files(&[("pass", &pass)])).unwrap();
+    assert!(text.contains("array<f32, 9> = sh3_exponential_hyb()"));
 }
 
 fn error(pass: &str) -> LinkError {
-    link("shadow", 4, &files(&[("shadow", pass), ("bad", "\n\nfn f() {\n    $Q\n}\n")])).unwrap_err()
+    link(
+        "shadow",
+        of(4),
+        &files(&[("shadow", pass), ("bad", "\n\nfn f() {\n    $Q\n}\n")]),
+    )
+    .unwrap_err()
 }
 
 #[test]
 fn errors_name_file_and_line() {
     let unknown = error(&format!("{MAIN}\n#import shared/nowhere\n"));
     assert_eq!((unknown.file.as_str(), unknown.line), ("shadow.wgsl", 6));
-    assert!(unknown.to_string().starts_with("shadow.wgsl:6: imports `shared/nowhere`"));
+    assert!(
+        unknown
+            .to_string()
+            .starts_with("shadow.wgsl:6: imports `shared/nowhere`")
+    );
     let placeholder = error("#import bad\n");
-    assert_eq!((placeholder.file.as_str(), placeholder.line), ("bad.wgsl", 4));
+    assert_eq!(
+        (placeholder.file.as_str(), placeholder.line),
+        ("bad.wgsl", 4)
+    );
     assert!(placeholder.message.contains("`$Q`"));
     let open = error("fn f() {\n    return;\n");
     assert_eq!(open.line, 2);
     let nameless = error("}\n");
     assert_eq!(nameless.line, 1);
-    assert_eq!(link("none", 4, &files(&[])).unwrap_err().file, "none.wgsl");
+    assert_eq!(
+        link("none", of(4), &files(&[])).unwrap_err().file,
+        "none.wgsl"
+    );
 }

@@ -1,0 +1,246 @@
+//! The scene's bodies on the GPU: vertices, textures, and where each body stands.
+
+use crate::Error;
+use crate::pipeline::{buffer_entry, texture_entry};
+use crate::records::{Body, Vertex};
+use glam::Mat4;
+use sh_scene::{Object, Scene, Texture};
+use wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
+use wgpu::{
+    BindGroup, BindGroupLayout, Buffer, BufferUsages, Device, Queue, RenderPass, ShaderStages,
+};
+
+/// Bytes from one body's record to the next: the alignment that every device grants.
+const STRIDE: u64 = 256;
+
+/// One body's geometry.
+#[derive(Debug)]
+struct Drawn {
+    vertices: Buffer,
+    indices: Buffer,
+    count: u32,
+    group: BindGroup,
+}
+
+/// The bodies of a scene, uploaded once; where they stand and their albedo may change every frame.
+#[derive(Debug)]
+pub struct Bodies {
+    drawn: Vec<Drawn>,
+    records: Buffer,
+}
+
+impl Bodies {
+    /// Uploads the meshes and textures of `scene`. Bodies without triangles are not drawn.
+    pub fn new(device: &Device, queue: &Queue, scene: &Scene) -> Result<Self, Error> {
+        for (index, object) in scene.objects.iter().enumerate() {
+            check(device, object).map_err(|problem| Error::Object {
+                index,
+                name: object.name.clone(),
+                problem,
+            })?;
+        }
+        let layout = Self::layout(device);
+        let size = (scene.objects.len() as u64).max(1) * STRIDE;
+        let most = device.limits().max_buffer_size;
+        Error::within("the bodies' records", size, "max_buffer_size", most)?;
+        let records = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("gaunt bodies"),
+            size,
+            usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let drawn = scene
+            .objects
+            .iter()
+            .map(|o| upload(device, queue, o, &layout, &records))
+            .collect();
+        Ok(Self { drawn, records })
+    }
+
+    /// Uploads where the bodies stand and how they reflect, for what is submitted next. `scene` must hold
+    /// the objects that were uploaded, in that order.
+    pub fn prepare(&self, queue: &Queue, scene: &Scene) -> Result<(), Error> {
+        let (count, uploaded) = (scene.objects.len(), self.drawn.len());
+        if count != uploaded {
+            return Err(Error::Objects { count, uploaded });
+        }
+        let mut bytes = vec![0; self.records.size() as usize];
+        for (index, object) in scene.objects.iter().enumerate() {
+            let record = Body {
+                world_from_object: Mat4::from(object.transform),
+                albedo: object.material.albedo.into(),
+                object: index as u32,
+            };
+            let at = index * STRIDE as usize;
+            bytes[at..at + size_of::<Body>()].copy_from_slice(bytemuck::bytes_of(&record));
+        }
+        queue.write_buffer(&self.records, 0, &bytes);
+        Ok(())
+    }
+
+    /// The layout of group 1 of `body_vertex` and `body_fragment`.
+    pub(crate) fn layout(device: &Device) -> BindGroupLayout {
+        let uniform = wgpu::BufferBindingType::Uniform;
+        let float = wgpu::TextureSampleType::Float { filterable: false };
+        device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("gaunt body"),
+            entries: &[
+                buffer_entry(0, ShaderStages::VERTEX_FRAGMENT, uniform, true),
+                texture_entry(1, ShaderStages::FRAGMENT, float),
+            ],
+        })
+    }
+
+    /// Draws all bodies with the pipeline and band that are set.
+    pub(crate) fn draw(&self, pass: &mut RenderPass<'_>) {
+        for (index, body) in self
+            .drawn
+            .iter()
+            .enumerate()
+            .filter(|(_, body)| body.count > 0)
+        {
+            pass.set_bind_group(1, &body.group, &[index as u32 * STRIDE as u32]);
+            pass.set_vertex_buffer(0, body.vertices.slice(..));
+            pass.set_index_buffer(body.indices.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(0..body.count, 0, 0..1);
+        }
+    }
+}
+
+/// Whether a body can be uploaded, or what is wrong with it.
+fn check(device: &Device, object: &Object) -> Result<(), String> {
+    let (mesh, limits) = (&object.mesh, device.limits());
+    let vertices = mesh.positions.len();
+    if mesh.normals.len() != vertices {
+        return Err(format!(
+            "has {} normals for {vertices} vertices",
+            mesh.normals.len()
+        ));
+    }
+    if !mesh.uvs.is_empty() && mesh.uvs.len() != vertices {
+        return Err(format!(
+            "has {} texture coordinates for {vertices} vertices",
+            mesh.uvs.len()
+        ));
+    }
+    if let Some(index) = mesh
+        .triangles
+        .as_flattened()
+        .iter()
+        .find(|&&i| i as usize >= vertices)
+    {
+        return Err(format!(
+            "has a triangle with vertex {index}, but only {vertices} vertices"
+        ));
+    }
+    let bytes = (vertices * size_of::<Vertex>()).max(size_of_val(&mesh.triangles[..])) as u64;
+    if bytes > limits.max_buffer_size {
+        return Err(format!(
+            "needs a buffer of {bytes} bytes, but the device's limit `max_buffer_size` is {}",
+            limits.max_buffer_size
+        ));
+    }
+    let Some(Texture {
+        width,
+        height,
+        rgba,
+    }) = &object.material.texture
+    else {
+        return Ok(());
+    };
+    let side = limits.max_texture_dimension_2d;
+    if *width == 0 || *height == 0 || *width > side || *height > side {
+        return Err(format!(
+            "has a texture of {width} by {height} texels; each side must be 1 to {side}"
+        ));
+    }
+    if rgba.len() as u64 != u64::from(*width) * u64::from(*height) * 4 {
+        let length = rgba.len();
+        return Err(format!(
+            "has a texture of {width} by {height} texels, but {length} bytes for it"
+        ));
+    }
+    Ok(())
+}
+
+fn upload(
+    device: &Device,
+    queue: &Queue,
+    object: &Object,
+    layout: &BindGroupLayout,
+    records: &Buffer,
+) -> Drawn {
+    let mesh = &object.mesh;
+    let label = format!("gaunt body {}", object.name);
+    let vertices: Vec<Vertex> = (0..mesh.positions.len())
+        .map(|i| Vertex {
+            position: mesh.positions[i],
+            normal: mesh.normals[i],
+            uv: mesh.uvs.get(i).copied().unwrap_or_default(),
+        })
+        .collect();
+    let buffer = |contents: &[u8], usage| {
+        device.create_buffer_init(&BufferInitDescriptor {
+            label: Some(&label),
+            contents,
+            usage,
+        })
+    };
+    let white = Texture {
+        width: 1,
+        height: 1,
+        rgba: vec![255; 4],
+    };
+    let texture = object.material.texture.as_ref().unwrap_or(&white);
+    let view = base_color(device, queue, &label, texture);
+    let record = wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+        buffer: records,
+        offset: 0,
+        size: wgpu::BufferSize::new(size_of::<Body>() as u64),
+    });
+    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some(&label),
+        layout,
+        entries: &[
+            wgpu::BindGroupEntry {
+                binding: 0,
+                resource: record,
+            },
+            wgpu::BindGroupEntry {
+                binding: 1,
+                resource: wgpu::BindingResource::TextureView(&view),
+            },
+        ],
+    });
+    Drawn {
+        vertices: buffer(bytemuck::cast_slice(&vertices), BufferUsages::VERTEX),
+        indices: buffer(bytemuck::cast_slice(&mesh.triangles), BufferUsages::INDEX),
+        count: mesh.triangles.len() as u32 * 3,
+        group,
+    }
+}
+
+fn base_color(device: &Device, queue: &Queue, label: &str, texture: &Texture) -> wgpu::TextureView {
+    let descriptor = wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d {
+            width: texture.width,
+            height: texture.height,
+            depth_or_array_layers: 1,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba8UnormSrgb,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    };
+    device
+        .create_texture_with_data(
+            queue,
+            &descriptor,
+            TextureDataOrder::LayerMajor,
+            &texture.rgba,
+        )
+        .create_view(&Default::default())
+}

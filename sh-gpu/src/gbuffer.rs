@@ -1,0 +1,298 @@
+//! The G-buffer pass: position, normal and albedo where the camera's rays first meet a surface.
+
+use crate::pipeline::{Kernel, Slot, buffer_entry, shader, texture_entry};
+use crate::records::Vertex;
+use crate::{Bands, Bodies, Bound, Error};
+use sh_kernels::{MIN_ORDER, Pass};
+use sh_scene::Receiver;
+use wgpu::{
+    BindGroup, BindGroupEntry, BindingResource, BufferBinding, BufferBindingType, CommandEncoder,
+    Device, RenderPass, RenderPipeline, ShaderModule, ShaderStages, TextureFormat, TextureUsages,
+    TextureView, VertexAttribute, VertexFormat,
+};
+
+/// Rasterises the bands of a picture and packs them into receivers and albedo.
+///
+/// Samples are drawn as fragments, one each, into two textures as large as a band; what [`COLOR`](Self::COLOR)
+/// holds is said in `kernels/gbuffer.wgsl`. A host with its own scene draws into them itself, through
+/// [`record_with`](Self::record_with).
+#[derive(Debug)]
+pub struct GbufferPass {
+    bodies: RenderPipeline,
+    ground: RenderPipeline,
+    pack: Kernel,
+    /// Group 0 of the raster pipelines: the band.
+    band: BindGroup,
+    /// Group 0 of `pack`: both textures.
+    sources: BindGroup,
+    targets: [TextureView; 3],
+}
+
+/// When the pass begins and ends: the query set, and the indices of both timestamps.
+pub type Timestamps<'a> = Option<(&'a wgpu::QuerySet, [u32; 2])>;
+
+impl GbufferPass {
+    /// Format of both colour targets. The first: position as three floats' bits, object index. The second:
+    /// octahedral normal as two floats' bits, red and green, blue and 1 in 16 bits each.
+    pub const COLOR: TextureFormat = TextureFormat::Rgba32Uint;
+
+    /// Format of the depth target: 1 at the near plane, 0 infinitely far; nearer is greater.
+    pub const DEPTH: TextureFormat = TextureFormat::Depth32Float;
+
+    /// Makes pipelines and targets for the bands of a picture.
+    pub fn new(device: &Device, bands: &Bands) -> Result<Self, Error> {
+        let module = shader(device, Pass::Gbuffer, MIN_ORDER)?;
+        let uniform = BufferBindingType::Uniform;
+        let band_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("gaunt band"),
+            entries: &[buffer_entry(
+                0,
+                ShaderStages::VERTEX_FRAGMENT,
+                uniform,
+                true,
+            )],
+        });
+        let body_layout = Bodies::layout(device);
+        let band = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("gaunt band"),
+            layout: &band_layout,
+            entries: &[BindGroupEntry {
+                binding: 0,
+                resource: bands.binding(),
+            }],
+        });
+        let both = [Some(&band_layout), Some(&body_layout)];
+        let bodies = raster(
+            device,
+            &module,
+            ["body_vertex", "body_fragment"],
+            &both,
+            true,
+        );
+        let ground = raster(
+            device,
+            &module,
+            ["ground_vertex", "ground_fragment"],
+            &both[..1],
+            false,
+        );
+
+        let compute = ShaderStages::COMPUTE;
+        let uint = wgpu::TextureSampleType::Uint;
+        let write = BufferBindingType::Storage { read_only: false };
+        let textures = [
+            texture_entry(0, compute, uint),
+            texture_entry(1, compute, uint),
+        ];
+        let buffers = [
+            buffer_entry(0, compute, write, false),
+            buffer_entry(1, compute, write, false),
+        ];
+        let pack = Kernel::new(device, &module, "pack", [&textures, &buffers]);
+        let targets =
+            [Self::COLOR, Self::COLOR, Self::DEPTH].map(|format| target(device, bands, format));
+        let sources = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(&pack.label),
+            layout: &pack.groups[0],
+            entries: &[
+                BindGroupEntry {
+                    binding: 0,
+                    resource: BindingResource::TextureView(&targets[0]),
+                },
+                BindGroupEntry {
+                    binding: 1,
+                    resource: BindingResource::TextureView(&targets[1]),
+                },
+            ],
+        });
+        Ok(Self {
+            bodies,
+            ground,
+            pack,
+            band,
+            sources,
+            targets,
+        })
+    }
+
+    /// Binds receivers ([`Receiver`], 32 bytes each) and albedos (red, green, blue, 0 as `vec4f`, 16 bytes
+    /// each), both written. The size of `receivers` must be that of the band's samples.
+    pub fn bind(
+        &self,
+        device: &Device,
+        receivers: BufferBinding<'_>,
+        albedos: BufferBinding<'_>,
+    ) -> Result<Bound, Error> {
+        let receivers = Slot::counting("receivers", size_of::<Receiver>() as u64, receivers);
+        self.pack
+            .bind(device, &[receivers, Slot::with("albedos", 16, 1, albedos)])
+    }
+
+    /// Records a render pass that draws one band of the ground (if there is one) and of the bodies, and a
+    /// compute pass that packs it into the receivers that were bound.
+    pub fn record(
+        &self,
+        encoder: &mut CommandEncoder,
+        bands: &Bands,
+        band: u32,
+        bodies: &Bodies,
+        bound: &Bound,
+        timestamps: Timestamps<'_>,
+    ) {
+        let draw = |pass: &mut RenderPass<'_>| {
+            pass.set_bind_group(0, &self.band, &[bands.offset(band)]);
+            pass.set_pipeline(&self.bodies);
+            bodies.draw(pass);
+            pass.set_pipeline(&self.ground);
+            pass.draw(0..3, 0..1);
+        };
+        self.record_with(encoder, bands, band, draw, bound, timestamps);
+    }
+
+    /// As [`record`](Self::record), but the host draws. `draw` is given the render pass with the viewport
+    /// set to the band's samples, and has to write both targets as their formats say.
+    pub fn record_with(
+        &self,
+        encoder: &mut CommandEncoder,
+        bands: &Bands,
+        band: u32,
+        draw: impl FnOnce(&mut RenderPass<'_>),
+        bound: &Bound,
+        timestamps: Timestamps<'_>,
+    ) {
+        let [place, surface, depth] = &self.targets;
+        let cleared = |view| {
+            Some(wgpu::RenderPassColorAttachment {
+                view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                },
+            })
+        };
+        let far = wgpu::Operations {
+            load: wgpu::LoadOp::Clear(0.0),
+            store: wgpu::StoreOp::Discard,
+        };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("gaunt gbuffer"),
+            color_attachments: &[cleared(place), cleared(surface)],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: depth,
+                depth_ops: Some(far),
+                stencil_ops: None,
+            }),
+            timestamp_writes: timestamps.map(|(query_set, [begin, _])| {
+                wgpu::RenderPassTimestampWrites {
+                    query_set,
+                    beginning_of_pass_write_index: Some(begin),
+                    end_of_pass_write_index: None,
+                }
+            }),
+            occlusion_query_set: None,
+            multiview_mask: None,
+        });
+        pass.push_debug_group("gaunt gbuffer");
+        let (columns, rows) = (bands.columns(), bands.rows(band));
+        pass.set_viewport(0.0, 0.0, columns as f32, rows as f32, 0.0, 1.0);
+        pass.set_scissor_rect(0, 0, columns, rows);
+        draw(&mut pass);
+        pass.pop_debug_group();
+        drop(pass);
+        let ended = timestamps.map(|(query_set, [_, end])| wgpu::ComputePassTimestampWrites {
+            query_set,
+            beginning_of_pass_write_index: None,
+            end_of_pass_write_index: Some(end),
+        });
+        self.pack
+            .record(encoder, (&self.sources, &[]), bound, ended);
+    }
+}
+
+/// A texture as large as the largest band.
+fn target(device: &Device, bands: &Bands, format: TextureFormat) -> TextureView {
+    let texture = device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("gaunt gbuffer"),
+        size: wgpu::Extent3d {
+            width: bands.columns(),
+            height: bands.rows(0),
+            depth_or_array_layers: 1,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    });
+    texture.create_view(&Default::default())
+}
+
+fn raster(
+    device: &Device,
+    module: &ShaderModule,
+    [vertex, fragment]: [&str; 2],
+    groups: &[Option<&wgpu::BindGroupLayout>],
+    with_vertices: bool,
+) -> RenderPipeline {
+    let label = Some("gaunt gbuffer");
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label,
+        bind_group_layouts: groups,
+        immediate_size: 0,
+    });
+    let attribute = |shader_location, offset, format| VertexAttribute {
+        format,
+        offset,
+        shader_location,
+    };
+    let attributes = [
+        attribute(0, 0, VertexFormat::Float32x3),
+        attribute(1, 12, VertexFormat::Float32x3),
+        attribute(2, 24, VertexFormat::Float32x2),
+    ];
+    let vertices = Some(wgpu::VertexBufferLayout {
+        array_stride: size_of::<Vertex>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &attributes,
+    });
+    let color = Some(wgpu::ColorTargetState {
+        format: GbufferPass::COLOR,
+        blend: None,
+        write_mask: wgpu::ColorWrites::ALL,
+    });
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label,
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some(vertex),
+            compilation_options: Default::default(),
+            buffers: if with_vertices {
+                std::slice::from_ref(&vertices)
+            } else {
+                &[]
+            },
+        },
+        // Both sides of a surface are drawn, as rays hit both.
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: GbufferPass::DEPTH,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::Greater),
+            stencil: Default::default(),
+            bias: Default::default(),
+        }),
+        multisample: Default::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some(fragment),
+            compilation_options: Default::default(),
+            targets: &[color.clone(), color],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}

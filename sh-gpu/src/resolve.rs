@@ -1,0 +1,137 @@
+//! The resolve pass: radiance times albedo, the environment where nothing is hit, samples to pixels.
+
+use crate::pipeline::{Kernel, Slot, buffer_entry, shader, texture_entry};
+use crate::{Bands, Bound, Error};
+use sh_kernels::{MIN_ORDER, Pass};
+use sh_scene::{EnvironmentMap, Receiver, View};
+use wgpu::util::{DeviceExt, TextureDataOrder};
+use wgpu::{
+    BindGroup, BindGroupEntry, BindingResource, BufferBinding, BufferBindingType, CommandEncoder,
+    ComputePassTimestampWrites, Device, Queue, ShaderStages,
+};
+
+/// Samples to pixels, on the host's device and encoder.
+#[derive(Debug)]
+pub struct ResolvePass {
+    kernel: Kernel,
+    group: BindGroup,
+}
+
+impl ResolvePass {
+    /// Makes the pipeline and uploads the environment map (16 bytes a texel; its sides may not exceed
+    /// `max_texture_dimension_2d`).
+    pub fn new(
+        device: &Device,
+        queue: &Queue,
+        bands: &Bands,
+        environment: &EnvironmentMap,
+    ) -> Result<Self, Error> {
+        let EnvironmentMap {
+            width,
+            height,
+            pixels,
+        } = environment;
+        let side = u64::from(device.limits().max_texture_dimension_2d);
+        let longest = u64::from(*width.max(height));
+        Error::within(
+            "the environment map",
+            longest,
+            "max_texture_dimension_2d",
+            side,
+        )?;
+        if pixels.is_empty() || pixels.len() as u64 != u64::from(*width) * u64::from(*height) {
+            return Err(Error::Environment {
+                width: *width,
+                height: *height,
+                texels: pixels.len(),
+            });
+        }
+        let module = shader(device, Pass::Resolve, MIN_ORDER)?;
+        let compute = ShaderStages::COMPUTE;
+        let float = wgpu::TextureSampleType::Float { filterable: false };
+        let own = [
+            buffer_entry(0, compute, BufferBindingType::Uniform, true),
+            texture_entry(1, compute, float),
+        ];
+        let host = [0, 1, 2, 3].map(|binding| {
+            let ty = BufferBindingType::Storage {
+                read_only: binding < 3,
+            };
+            buffer_entry(binding, compute, ty, false)
+        });
+        let kernel = Kernel::new(device, &module, "resolve", [&own, &host]);
+        let texels: Vec<[f32; 4]> = pixels.iter().map(|[r, g, b]| [*r, *g, *b, 0.0]).collect();
+        let descriptor = wgpu::TextureDescriptor {
+            label: Some("gaunt environment"),
+            size: wgpu::Extent3d {
+                width: *width,
+                height: *height,
+                depth_or_array_layers: 1,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::Rgba32Float,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        };
+        let bytes = bytemuck::cast_slice(&texels);
+        let map = device
+            .create_texture_with_data(queue, &descriptor, TextureDataOrder::LayerMajor, bytes)
+            .create_view(&Default::default());
+        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(&kernel.label),
+            layout: &kernel.groups[0],
+            entries: &[
+                BindGroupEntry {
+                    binding: 0,
+                    resource: bands.binding(),
+                },
+                BindGroupEntry {
+                    binding: 1,
+                    resource: BindingResource::TextureView(&map),
+                },
+            ],
+        });
+        Ok(Self { kernel, group })
+    }
+
+    /// Binds receivers ([`Receiver`], 32 bytes each), albedo and radiance (`vec4f`, 16 bytes each) of one
+    /// band's samples, row by row, all read, and the band's part of the picture
+    /// ([`Bands::picture_range`]), written: linear red, green, blue, and the share of the pixel's samples
+    /// that hit something, as `vec4f`.
+    pub fn bind(
+        &self,
+        device: &Device,
+        receivers: BufferBinding<'_>,
+        albedo: BufferBinding<'_>,
+        radiance: BufferBinding<'_>,
+        picture: BufferBinding<'_>,
+    ) -> Result<Bound, Error> {
+        let each = u64::from(View::OVERSAMPLE * View::OVERSAMPLE);
+        let slots = [
+            Slot::with("receivers", size_of::<Receiver>() as u64, each, receivers),
+            Slot::with("albedo", 16, each, albedo),
+            Slot::with("radiance", 16, each, radiance),
+            Slot::counting("picture", 16, picture),
+        ];
+        self.kernel.bind(device, &slots)
+    }
+
+    /// Records one compute pass that writes the pixels of one band.
+    pub fn record(
+        &self,
+        encoder: &mut CommandEncoder,
+        bands: &Bands,
+        band: u32,
+        bound: &Bound,
+        timestamps: Option<ComputePassTimestampWrites<'_>>,
+    ) {
+        self.kernel.record(
+            encoder,
+            (&self.group, &[bands.offset(band)]),
+            bound,
+            timestamps,
+        );
+    }
+}
