@@ -108,6 +108,19 @@ pub fn norm(f: &[f64]) -> f64 {
     dot(f, f).sqrt()
 }
 
+/// ‖f − g‖, the L2 norm of the difference of both functions.
+///
+/// # Panics
+/// If the lengths differ.
+pub fn distance(f: &[f64], g: &[f64]) -> f64 {
+    assert_eq!(f.len(), g.len(), "two SH vectors of different order");
+    f.iter()
+        .zip(g)
+        .map(|(a, b)| (a - b).powi(2))
+        .sum::<f64>()
+        .sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -55,20 +55,16 @@ pub fn solid_angle(row: usize, width: usize, height: usize) -> f64 {
 /// # Panics
 /// If the map does not have `width · height` pixels.
 pub fn project(order: usize, map: &EnvironmentMap) -> [Vec<f64>; 3] {
+    let across = gauss_legendre(nodes(order, TAU / f64::from(map.width)), 0.0, 1.0);
+    let down = gauss_legendre(nodes(order, PI / f64::from(map.height)), 0.0, 1.0);
     sum_texels(order, map, |column, row, width, height| {
+        let (columns, rows) = (width as f64, height as f64);
         let mut integral = vec![0.0; order * order];
-        let (columns, rows) = (1.0 / width as f64, 1.0 / height as f64);
-        for (v, dv) in gauss_legendre(
-            nodes(order, PI * rows),
-            row as f64 * rows,
-            (row + 1) as f64 * rows,
-        ) {
-            for (u, du) in gauss_legendre(
-                nodes(order, TAU * columns),
-                column as f64 * columns,
-                (column + 1) as f64 * columns,
-            ) {
-                let area = PI * dv * TAU * du * (PI * v).sin();
+        for (j, dj) in &down {
+            let v = (row as f64 + j) / rows;
+            for (i, di) in &across {
+                let u = (column as f64 + i) / columns;
+                let area = PI * dj / rows * TAU * di / columns * (PI * v).sin();
                 accumulate(&mut integral, area, &basis(order, direction(u, v)));
             }
         }
@@ -79,7 +75,7 @@ pub fn project(order: usize, map: &EnvironmentMap) -> [Vec<f64>; 3] {
 /// Nodes for a trigonometric polynomial of degree `order` over an interval of so many radians: its error
 /// falls as (e·order·radians/8k)^2k.
 fn nodes(order: usize, radians: f64) -> usize {
-    3 + (1.5 * order as f64 * radians).ceil() as usize
+    3 + (1.5 * order as f64 * radians) as usize
 }
 
 /// SH vectors of a map's red, green and blue: Σ radiance · solid angle · basis at the texel's centre.
@@ -147,7 +143,7 @@ pub fn radiance(map: &EnvironmentMap, direction: [f64; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::basis::{evaluate, norm};
+    use crate::basis::{distance, evaluate, norm};
     use crate::quadrature::project_smooth;
     use crate::testing::{assert_close, directions, numbers};
 
@@ -233,8 +229,8 @@ mod tests {
         let f = numbers(21, 16);
         let map = map_of(128, 64, |s| [evaluate(&f, s), 1.0, 0.0]);
         for [red, green, _] in [project(4, &map), project_centers(4, &map)] {
-            let off: Vec<f64> = red.iter().zip(&f).map(|(a, b)| a - b).collect();
-            assert!(norm(&off) < 2e-3 * norm(&f), "{:e}", norm(&off));
+            let off = distance(&red, &f);
+            assert!(off < 2e-3 * norm(&f), "{:e}", off);
             assert!((green[0] - (4.0 * PI).sqrt()).abs() < 1e-12);
         }
     }
@@ -245,12 +241,7 @@ mod tests {
         let truth = project_smooth(3, 1e-12, sky).coefficients;
         let off = |width: u32| {
             let [red, ..] = project(3, &map_of(width, width / 2, |s| [sky(s); 3]));
-            norm(
-                &red.iter()
-                    .zip(&truth)
-                    .map(|(a, b)| a - b)
-                    .collect::<Vec<_>>(),
-            ) / norm(&truth)
+            distance(&red, &truth) / norm(&truth)
         };
         let (coarse, fine) = (off(16), off(64));
         assert!(

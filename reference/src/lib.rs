@@ -19,8 +19,9 @@
 //! | [`log`] | the SH logarithm, by eigenvalues and by samples |
 //! | [`exp`] | the SH exponential, exact and by the series of Ren 2006 |
 //! | [`environment`] | the projection of an equirectangular map |
-//! | [`visibility`] | the visibility past many spheres, irradiance behind them |
-//! | [`raycast`] | the visibility past triangles |
+//! | [`visibility`] | the visibility past many spheres, the light that is left |
+//! | [`raycast`] | the visibility past triangles, one ray at a time |
+//! | [`sampled`] | SH vector and light behind any visibility |
 //!
 //! # Conventions
 //!
@@ -46,10 +47,12 @@ pub mod product;
 pub mod quadrature;
 pub mod raycast;
 pub mod rotation;
+pub mod sampled;
 pub mod scipy;
 pub mod visibility;
 pub mod zonal;
 
+mod cells;
 mod vec3;
 
 #[cfg(test)]

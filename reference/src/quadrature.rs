@@ -7,7 +7,7 @@
 //! whose sum is 0). Heights need not run from −1 to 1: [`Rule::zone`] is exact on a slice of the sphere,
 //! so a function with an edge at constant height is integrated piece by piece.
 
-use crate::basis::{basis, norm};
+use crate::basis::{basis, distance, norm};
 use crate::vec3::{add, frame, scale};
 use std::f64::consts::{PI, TAU};
 
@@ -162,13 +162,7 @@ pub fn project_smooth(
     loop {
         degree *= 2;
         let finer = Rule::sphere(degree).project(order, &mut f);
-        let error = norm(
-            &finer
-                .iter()
-                .zip(&coefficients)
-                .map(|(a, b)| a - b)
-                .collect::<Vec<_>>(),
-        );
+        let error = distance(&finer, &coefficients);
         coefficients = finer;
         if error <= tolerance * norm(&coefficients) || degree > 512 {
             return Estimate {

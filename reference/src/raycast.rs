@@ -163,8 +163,9 @@ impl Boundable for Padded {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sampled;
     use crate::testing::{directions, numbers};
-    use crate::visibility::{caps, irradiance_dense, project, project_dense};
+    use crate::visibility::{caps, project};
     use sh_scene::Sphere;
 
     /// A ball of triangles: `rows` by `2·rows` quads.
@@ -250,9 +251,9 @@ mod tests {
         let floor = [[-9.0, 0.0, -9.0], [9.0, 0.0, -9.0], [0.0, 0.0, 9.0]];
         let caster = Caster::new(vec![floor]);
         assert!(!caster.blocked([0.0; 3], [0.0, 1.0, 0.0], 1e-6));
-        let white = irradiance_dense(
+        let white = sampled::irradiance(
             [0.0, 1.0, 0.0],
-            32,
+            4000,
             |s| {
                 if caster.blocked([0.0; 3], s, 1e-6) {
                     0.0
@@ -269,7 +270,7 @@ mod tests {
     fn a_ball_of_triangles_is_nearly_a_sphere() {
         let center = [0.5, 2.0, -0.5];
         let caster = Caster::new(ball(center, 1.0, 48));
-        let dense = project_dense(4, 96, |s| {
+        let dense = sampled::project(4, 50_000, |s| {
             if caster.blocked([0.0; 3], s, 0.0) {
                 0.0
             } else {
@@ -281,12 +282,7 @@ mod tests {
             radius: 1.0,
         };
         let exact = project(4, &caps([0.0; 3], &[sphere]), 1e-2);
-        let off: f64 = dense
-            .coefficients
-            .iter()
-            .zip(&exact.coefficients)
-            .map(|(a, b)| (a - b).abs())
-            .fold(0.0, f64::max);
+        let off = crate::basis::distance(&dense.coefficients, &exact.coefficients);
         assert!(off < 5e-3, "{off:e}");
     }
 

@@ -1,18 +1,10 @@
 //! Inputs the unit tests share: deterministic, without structure that could hide a mistake.
 
 use crate::vec3::Vec3;
-use std::f64::consts::PI;
 
 /// A spiral of `count` directions over the whole sphere.
 pub(crate) fn directions(count: usize) -> Vec<Vec3> {
-    (0..count)
-        .map(|i| {
-            let z = 1.0 - (2.0 * i as f64 + 1.0) / count as f64;
-            let (sin, cos) = (PI * (3.0 - 5f64.sqrt()) * i as f64).sin_cos();
-            let r = (1.0 - z * z).sqrt();
-            [r * cos, r * sin, z]
-        })
-        .collect()
+    crate::sampled::directions(count).collect()
 }
 
 /// `count` numbers in -1..1 (a linear congruential generator, top bits).

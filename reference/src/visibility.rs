@@ -6,11 +6,11 @@
 //! together cover no more than a given solid angle. Decided cells are integrated by Gauss–Legendre, so
 //! what is undecided bounds the error.
 //!
-//! [`project_dense`] and [`irradiance_dense`] ask any other visibility (triangles, see
-//! [`crate::raycast`]) once per cell of a regular grid and estimate their error from a grid half as fine.
+//! For any other visibility, and for light that is not smooth, see [`crate::sampled`].
 
-use crate::basis::{basis, norm};
-use crate::quadrature::{Estimate, accumulate, gauss_legendre};
+use crate::basis::basis;
+use crate::cells::{Cell, rule_at};
+use crate::quadrature::{Estimate, accumulate};
 use crate::vec3::{Vec3, angle, dot, length, normalize, scale, sub, widen};
 use sh_scene::Sphere;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -64,8 +64,8 @@ pub fn visible(caps: &[Cap], direction: [f64; 3]) -> bool {
 
 /// SH vector of the visibility past `caps`. The L2 norm of its error is at most `error`: the undecided
 /// solid angle times ‖y(s)‖ = order/√4π, plus rounding. It stops where that solid angle is at most
-/// `tolerance` steradians or a million cells are undecided; 1e-3 takes about a second and is in fact
-/// right to some 1e-5.
+/// `tolerance` steradians or a million cells are undecided. Time grows as (length of all edges)²/tolerance;
+/// eight caps of 30° at 1e-2 take about a second and are in fact right to 1e-5, at 0.1 to 1e-4.
 ///
 /// ```
 /// use sh_reference::{cap, visibility::{Cap, project}};
@@ -96,7 +96,7 @@ pub struct Radiance {
 /// ∫ light(s) V(s) max(s·N, 0)/π ds behind `caps`, for the unit vector `normal`: what a white surface
 /// reflects. The horizon is treated as one cap more. `error` is the undecided solid angle times the
 /// largest integrand seen in it; the light is taken to be as smooth as an SH vector of order 12 or less
-/// (for a map of texels, use [`irradiance_dense`]).
+/// (for a map of texels, use [`crate::sampled::irradiance`]).
 ///
 /// ```
 /// use sh_reference::visibility::{Cap, irradiance};
@@ -131,101 +131,7 @@ pub fn irradiance(
     }
 }
 
-/// A cell of a cube map: directions (1, a, b)/√(1+a²+b²), their coordinates permuted and signed by the face,
-/// for a and b within `half` of the middle.
-#[derive(Clone, Copy)]
-struct Cell {
-    face: usize,
-    a: f64,
-    b: f64,
-    half: f64,
-}
-
-impl Cell {
-    /// The six faces cut into `count²` cells each.
-    fn grid(count: usize) -> impl Iterator<Item = Cell> {
-        let half = 1.0 / count as f64;
-        let middle = move |i: usize| (2 * i + 1) as f64 * half - 1.0;
-        (0..6 * count * count).map(move |i| {
-            let (face, within) = (i / (count * count), i % (count * count));
-            Cell {
-                face,
-                a: middle(within % count),
-                b: middle(within / count),
-                half,
-            }
-        })
-    }
-
-    fn direction(&self, a: f64, b: f64) -> Vec3 {
-        let forward = if self.face < 3 { 1.0 } else { -1.0 };
-        let mut s = [forward, a, b];
-        s.rotate_right(self.face % 3);
-        normalize(s)
-    }
-
-    fn center(&self) -> Vec3 {
-        self.direction(self.a, self.b)
-    }
-
-    fn corners(&self) -> [Vec3; 4] {
-        let Cell { a, b, half, .. } = *self;
-        [(-half, -half), (half, -half), (-half, half), (half, half)]
-            .map(|(da, db)| self.direction(a + da, b + db))
-    }
-
-    /// In steradians: the solid angle of 0..a, 0..b is atan(ab/√(1+a²+b²)).
-    fn solid_angle(&self) -> f64 {
-        let quadrant = |a: f64, b: f64| (a * b).atan2((1.0 + a * a + b * b).sqrt());
-        let Cell { a, b, half, .. } = *self;
-        quadrant(a + half, b + half) - quadrant(a - half, b + half) - quadrant(a + half, b - half)
-            + quadrant(a - half, b - half)
-    }
-
-    fn split(&self) -> [Cell; 4] {
-        let half = 0.5 * self.half;
-        [(-half, -half), (half, -half), (-half, half), (half, half)].map(|(da, db)| Cell {
-            a: self.a + da,
-            b: self.b + db,
-            half,
-            ..*self
-        })
-    }
-
-    /// Whether all of the cell is visible, all blocked by one cap, or neither is certain. The cell's edges
-    /// are great circles, so no point of it is farther from its centre than a corner.
-    fn decide(&self, caps: &[Cap]) -> Option<bool> {
-        let center = self.center();
-        let reach = self
-            .corners()
-            .iter()
-            .map(|corner| angle(center, *corner))
-            .fold(0.0, f64::max);
-        let mut clear = true;
-        for cap in caps {
-            let away = angle(center, cap.axis);
-            if away + reach <= cap.angle || cap.angle >= PI {
-                return Some(false);
-            }
-            clear &= away - reach > cap.angle;
-        }
-        clear.then_some(true)
-    }
-
-    /// Hands nodes and weights of a Gauss–Legendre rule over the cell to `add`; the density of solid angle is
-    /// (1+a²+b²)^{−3/2}.
-    fn each_node(&self, count: usize, mut add: impl FnMut(Vec3, f64)) {
-        for (a, da) in gauss_legendre(count, self.a - self.half, self.a + self.half) {
-            for (b, db) in gauss_legendre(count, self.b - self.half, self.b + self.half) {
-                add(
-                    self.direction(a, b),
-                    da * db * (1.0 + a * a + b * b).powf(-1.5),
-                );
-            }
-        }
-    }
-}
-
+/// ∫ V(s) f(s) ds.
 struct Integral {
     sum: Vec<f64>,
     /// Solid angle of the cells an edge may cross, in steradians.
@@ -243,12 +149,12 @@ fn integrate(
 ) -> Integral {
     let mut sum = vec![0.0; count];
     let mut cells: Vec<Cell> = Cell::grid(4).collect();
-    for level in 0usize.. {
-        // On a cell of half width h the rule's error falls about as (h/2)^(2·nodes): 1e-12 up to order 12.
-        let nodes = 12usize.saturating_sub(2 * level).max(3);
-        let mut whole = |cell: &Cell| cell.each_node(nodes, |s, k| add(s, k, &mut sum));
+    let mut level = 0;
+    loop {
+        let rule = rule_at(level);
+        let mut whole = |cell: &Cell| cell.each_node(&rule, |s, k| add(s, k, &mut sum));
         cells.retain(|cell| {
-            let decision = cell.decide(caps);
+            let decision = decide(cell, caps);
             if decision == Some(true) {
                 whole(cell);
             }
@@ -256,121 +162,46 @@ fn integrate(
         });
         let undecided = cells.iter().map(Cell::solid_angle).sum();
         if undecided <= tolerance || cells.len() > 1 << 20 {
-            // Their centre speaks for them.
+            // Their centres speak for them.
             cells
                 .iter()
                 .filter(|cell| visible(caps, cell.center()))
                 .for_each(whole);
+            let undecided_at = cells.iter().map(Cell::center).collect();
             return Integral {
                 sum,
                 undecided,
-                undecided_at: cells.iter().map(Cell::center).collect(),
+                undecided_at,
             };
         }
         cells = cells.iter().flat_map(Cell::split).collect();
-    }
-    unreachable!("the undecided solid angle falls, or the number of cells grows, with every level")
-}
-
-/// SH vector of any visibility (a share in 0..=1), asked once in the middle of each of `6·grid²` cells.
-/// `error` is the distance to the vector from a grid half as fine, which for edges is two or three times
-/// the truth: about 0.4·grid^(−3/2) for one edge round the sphere.
-///
-/// ```
-/// let half = sh_reference::visibility::project_dense(2, 64, |[_, y, _]| if y > 0.0 { 1.0 } else { 0.0 });
-/// assert!((half.coefficients[0] - std::f64::consts::PI.sqrt()).abs() < 1e-3);
-/// ```
-///
-/// # Panics
-/// If `grid` is less than 2.
-pub fn project_dense(
-    order: usize,
-    grid: usize,
-    mut visible: impl FnMut([f64; 3]) -> f64,
-) -> Estimate {
-    let (coefficients, coarse) = dense(order * order, grid, |s, k, sum| {
-        accumulate(sum, k * visible(s), &basis(order, s))
-    });
-    let error = norm(
-        &coefficients
-            .iter()
-            .zip(&coarse)
-            .map(|(a, b)| a - b)
-            .collect::<Vec<_>>(),
-    );
-    Estimate {
-        coefficients,
-        error,
+        level += 1;
     }
 }
 
-/// ∫ light(s) V(s) max(s·N, 0)/π ds with light and visibility asked once in each of `6·grid²` cells; `error` is
-/// the largest difference to a grid half as fine.
-///
-/// # Panics
-/// If `grid` is less than 2.
-pub fn irradiance_dense(
-    normal: [f64; 3],
-    grid: usize,
-    mut visible: impl FnMut([f64; 3]) -> f64,
-    light: impl Fn([f64; 3]) -> [f64; 3],
-) -> Radiance {
-    let (fine, coarse) = dense(3, grid, |s, k, sum| {
-        let cosine = dot(s, normal);
-        if cosine > 0.0 {
-            accumulate(sum, k * visible(s) * cosine / PI, &light(s));
+/// Whether all of a cell is visible, all blocked by one cap, or neither is certain.
+fn decide(cell: &Cell, caps: &[Cap]) -> Option<bool> {
+    let (center, reach) = (cell.center(), cell.reach());
+    let mut clear = true;
+    for cap in caps {
+        let away = angle(center, cap.axis);
+        if away + reach <= cap.angle || cap.angle >= PI {
+            return Some(false);
         }
-    });
-    let error = fine
-        .iter()
-        .zip(&coarse)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max);
-    Radiance {
-        value: [0, 1, 2].map(|c| fine[c]),
-        error,
+        clear &= away - reach > cap.angle;
     }
-}
-
-/// The sum over a grid, and that over a grid half as fine.
-fn dense(
-    count: usize,
-    grid: usize,
-    mut add: impl FnMut(Vec3, f64, &mut [f64]),
-) -> (Vec<f64>, Vec<f64>) {
-    assert!(grid >= 2, "a grid of {grid} has none half as fine");
-    let mut over = |grid| {
-        let mut sum = vec![0.0; count];
-        for cell in Cell::grid(grid) {
-            add(cell.center(), cell.solid_angle(), &mut sum);
-        }
-        sum
-    };
-    (over(grid), over(grid / 2))
+    clear.then_some(true)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::basis::distance;
     use crate::cap;
+    use crate::sampled;
     use crate::testing::{assert_close, directions, numbers};
     use crate::vec3::add;
     use crate::zonal::{cosine, rotated};
-
-    #[test]
-    fn cells_make_up_the_sphere() {
-        for count in [1, 2, 5] {
-            let sum: f64 = Cell::grid(count).map(|cell| cell.solid_angle()).sum();
-            assert!((sum - 4.0 * PI).abs() < 1e-12);
-        }
-        for cell in Cell::grid(3) {
-            let mut by_nodes = 0.0;
-            cell.each_node(12, |_, k| by_nodes += k);
-            assert!((by_nodes - cell.solid_angle()).abs() < 1e-12);
-            let of_parts: f64 = cell.split().iter().map(Cell::solid_angle).sum();
-            assert!((of_parts - cell.solid_angle()).abs() < 1e-14);
-        }
-    }
 
     #[test]
     fn nothing_in_the_way_is_one_to_rounding() {
@@ -387,14 +218,7 @@ mod tests {
             let angle = 0.1 + 0.45 * i as f64;
             let found = project(4, &[Cap { axis, angle }], 2e-2);
             let truth = rotated(&cap::visibility(4, angle), axis);
-            let off = norm(
-                &found
-                    .coefficients
-                    .iter()
-                    .zip(&truth)
-                    .map(|(a, b)| a - b)
-                    .collect::<Vec<_>>(),
-            );
+            let off = distance(&found.coefficients, &truth);
             assert!(
                 off < found.error,
                 "{off:e} above the bound {:e}",
@@ -435,15 +259,8 @@ mod tests {
             .map(|axis| Cap { axis, angle: 0.8 })
             .collect();
         let adaptive = project(4, &caps, 1e-2);
-        let dense = project_dense(4, 256, |s| if visible(&caps, s) { 1.0 } else { 0.0 });
-        let off = norm(
-            &adaptive
-                .coefficients
-                .iter()
-                .zip(&dense.coefficients)
-                .map(|(a, b)| a - b)
-                .collect::<Vec<_>>(),
-        );
+        let dense = sampled::project(4, 200_000, |s| if visible(&caps, s) { 1.0 } else { 0.0 });
+        let off = distance(&adaptive.coefficients, &dense.coefficients);
         assert!(off < adaptive.error + dense.error && off < 2e-3, "{off:e}");
     }
 
@@ -527,9 +344,9 @@ mod tests {
         assert!(
             (found.value[0] - truth).abs() < found.error && (found.value[0] - truth).abs() < 1e-4
         );
-        let dense = irradiance_dense(
+        let dense = sampled::irradiance(
             [0.0, 1.0, 0.0],
-            128,
+            20_000,
             |s| f64::from(u8::from(visible(&[cap], s))),
             |_| [1.0; 3],
         );
