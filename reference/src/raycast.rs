@@ -164,9 +164,10 @@ impl Boundable for Padded {
 mod tests {
     use super::*;
     use crate::sampled;
-    use crate::testing::{directions, numbers};
+    use crate::testing::{assert_close, directions, numbers};
     use crate::visibility::{caps, project};
-    use sh_scene::Sphere;
+    use glam::{Affine3A, Quat};
+    use sh_scene::{Material, Sphere};
 
     /// A ball of triangles: `rows` by `2·rows` quads.
     fn ball(center: Vec3, radius: f64, rows: usize) -> Vec<Triangle> {
@@ -290,12 +291,31 @@ mod tests {
     fn world_triangles_are_transformed() {
         let mesh = Mesh {
             positions: vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-            triangles: vec![[0, 1, 2]],
+            triangles: vec![[2, 0, 1]],
             ..Mesh::default()
         };
-        assert_eq!(
-            triangles(&mesh),
-            [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]]
-        );
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        assert_eq!(triangles(&mesh), [[z, x, y]]);
+        // A quarter turn about +Z takes x to y and y to -x; then twice as large, then moved.
+        let object = Object {
+            name: String::from("triangle"),
+            mesh,
+            material: Material {
+                albedo: [1.0; 3],
+                texture: None,
+            },
+            transform: Affine3A::from_scale_rotation_translation(
+                glam::Vec3::splat(2.0),
+                Quat::from_rotation_z(std::f32::consts::FRAC_PI_2),
+                glam::Vec3::new(10.0, 20.0, 30.0),
+            ),
+            spheres: Vec::new(),
+        };
+        let expected = [[10.0, 20.0, 32.0], [10.0, 22.0, 30.0], [8.0, 20.0, 30.0]];
+        let found = world_triangles(&object);
+        assert_eq!(found.len(), 1);
+        for (corner, expected) in found[0].iter().zip(expected) {
+            assert_close(corner, &expected, 1e-6);
+        }
     }
 }

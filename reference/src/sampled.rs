@@ -3,7 +3,7 @@
 //! For triangles ([`crate::raycast`]) and for light of texels, where nothing is known between two samples.
 //! The directions are a spherical Fibonacci lattice (González, "Measurement of Areas on a Sphere Using
 //! Fibonacci and Latitude–Longitude Lattices", 2010), all of equal weight: it is even, and unlike a grid it
-//! has no lines that an edge could run along. For a cap at order 4 the error is at most 8·count^(−3/4).
+//! has no lines that an edge could run along. For a cap at order 4 the error is at most 9·count^(−3/4).
 //! Both functions also sum over a lattice of a quarter as many directions and give twice the difference as an
 //! estimate of the error: several times the truth as a rule, and not below it for any of 160 caps tried.
 
