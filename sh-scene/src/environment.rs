@@ -125,16 +125,6 @@ impl EnvironmentMap {
         }
         sum
     }
-
-    /// Which part of row `y`'s solid angle lies above the horizon, 0 to 1.
-    pub fn part_above_horizon(&self, y: u32) -> f64 {
-        let cosine = |y: u32| (std::f64::consts::PI * f64::from(y) / f64::from(self.height)).cos();
-        match (2 * y, 2 * y + 2) {
-            (_, bottom) if bottom <= self.height => 1.0,
-            (top, _) if top >= self.height => 0.0,
-            _ => cosine(y) / (cosine(y) - cosine(y + 1)),
-        }
-    }
 }
 
 #[cfg(test)]
@@ -235,13 +225,5 @@ mod tests {
                 assert!((c - 2.0).abs() < 1e-12, "{height} rows: {c}");
             }
         }
-    }
-
-    #[test]
-    fn rows_know_their_part_above_the_horizon() {
-        let map = numbered(1, 3);
-        assert_eq!(map.part_above_horizon(0), 1.0);
-        assert!((map.part_above_horizon(1) - 0.5).abs() < 1e-15);
-        assert_eq!(map.part_above_horizon(2), 0.0);
     }
 }

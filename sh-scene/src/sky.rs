@@ -83,13 +83,10 @@ impl Sky {
         let up = map.upper_irradiance();
         let exposure = 1.0 / (0.2126 * up[0] + 0.7152 * up[1] + 0.0722 * up[2]);
         map = map.scaled(exposure as f32);
-        for y in 0..height {
-            let above = map.part_above_horizon(y) as f32;
-            let land: [f32; 3] = std::array::from_fn(|i| (self.land[i] * up[i] * exposure) as f32);
-            for pixel in &mut map.pixels[(y * width) as usize..((y + 1) * width) as usize] {
-                *pixel = std::array::from_fn(|i| pixel[i] * above + land[i] * (1.0 - above));
-            }
-        }
+        let land = std::array::from_fn(|i| (self.land[i] * up[i] * exposure) as f32);
+        // Rows whose centre lies below the horizon.
+        let first_below = height.div_ceil(2) * width;
+        map.pixels[first_below as usize..].fill(land);
         map
     }
 }

@@ -1,0 +1,61 @@
+//! What can be wrong with an input, as sentences.
+
+use std::path::{Path, PathBuf};
+
+/// Why something could not be loaded. Every message is a sentence that names the file and what in it is
+/// wrong.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A file that cannot be read at all.
+    #[error("{}: the file cannot be read: {source}.", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// A file whose name's ending says nothing that is known.
+    #[error("{}: the ending of the file's name is none of {known}.", path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+        /// The endings that would be right.
+        known: &'static str,
+    },
+    /// A scene file that has something wrong at a line.
+    #[error("{}, line {line}: {message}", path.display())]
+    Scene {
+        /// The scene file.
+        path: PathBuf,
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong, with the key's name, and what would be right.
+        message: String,
+    },
+    /// A mesh or environment file that has something wrong.
+    #[error("{}: {message}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong, where, and what would be right.
+        message: String,
+    },
+}
+
+impl Error {
+    pub(crate) fn file(path: &Path, message: impl Into<String>) -> Self {
+        Self::File {
+            path: path.to_path_buf(),
+            message: message.into(),
+        }
+    }
+}
+
+/// The bytes of a file.
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Error> {
+    std::fs::read(path).map_err(|source| Error::Read {
+        path: path.to_path_buf(),
+        source,
+    })
+}

@@ -1,0 +1,95 @@
+//! Checks of what the `gltf` crate takes on trust: that accessors have the type they are read as and lie
+//! within their buffers.
+
+use gltf::accessor::{Accessor, DataType, Dimensions};
+use gltf::buffer::{Data, View};
+
+/// Most elements that an accessor without bytes behind it may have.
+const MOST_EMPTY: usize = 1 << 24;
+
+/// Checks an accessor that is to be read as `dimensions` of one of `types`. The message says what is wrong
+/// with it, and does not end in a full stop.
+pub(crate) fn accessor(
+    accessor: &Accessor,
+    buffers: &[Data],
+    dimensions: Dimensions,
+    types: &[DataType],
+) -> Result<(), String> {
+    let index = accessor.index();
+    if accessor.dimensions() != dimensions || !types.contains(&accessor.data_type()) {
+        return Err(format!(
+            "accessor {index} holds {:?} of {:?}, but {dimensions:?} of {types:?} was expected",
+            accessor.dimensions(),
+            accessor.data_type(),
+        ));
+    }
+    let wrong = |message| format!("accessor {index} {message}");
+    let (count, size) = (accessor.count(), accessor.size());
+    match (accessor.view(), accessor.sparse()) {
+        (Some(view), _) => span(&view, buffers, accessor.offset(), count, size).map_err(wrong)?,
+        (None, Some(_)) if count <= MOST_EMPTY => {}
+        (None, _) => return Err(wrong("has no buffer view".to_string())),
+    }
+    if let Some(sparse) = accessor.sparse() {
+        let (indices, values) = (sparse.indices(), sparse.values());
+        let count = sparse.count();
+        span(
+            &indices.view(),
+            buffers,
+            indices.offset(),
+            count,
+            indices.index_type().size(),
+        )
+        .map_err(wrong)?;
+        span(&values.view(), buffers, values.offset(), count, size).map_err(wrong)?;
+    }
+    Ok(())
+}
+
+/// Checks that `count` elements of `size` bytes from `offset` on lie within the view.
+fn span(
+    view: &View,
+    buffers: &[Data],
+    offset: usize,
+    count: usize,
+    size: usize,
+) -> Result<(), String> {
+    if count == 0 {
+        return Err("has no elements".to_string());
+    }
+    let stride = view.stride().unwrap_or(size);
+    if stride < size {
+        return Err(format!(
+            "has elements of {size} bytes but a stride of {stride}"
+        ));
+    }
+    let end = (count - 1)
+        .checked_mul(stride)
+        .and_then(|n| n.checked_add(offset)?.checked_add(size));
+    match end {
+        Some(end) if end <= view.length() => self::view(view, buffers),
+        _ => Err(format!(
+            "reads past the end of buffer view {}: {count} elements of {size} bytes from byte {offset} on do \
+             not fit into {} bytes",
+            view.index(),
+            view.length(),
+        )),
+    }
+}
+
+/// Checks that a view lies within its buffer.
+pub(crate) fn view(view: &View, buffers: &[Data]) -> Result<(), String> {
+    let length = buffers
+        .get(view.buffer().index())
+        .map_or(0, |data| data.0.len());
+    match view.offset().checked_add(view.length()) {
+        Some(end) if end <= length => Ok(()),
+        _ => Err(format!(
+            "reads past the end of buffer {}: buffer view {} has {} bytes from byte {} on, the buffer {length}",
+            view.buffer().index(),
+            view.index(),
+            view.length(),
+            view.offset(),
+        )),
+    }
+}

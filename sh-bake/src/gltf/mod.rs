@@ -1,0 +1,257 @@
+//! glTF 2.0, read by the `gltf` crate.
+
+mod check;
+mod nodes;
+mod texture;
+
+use crate::error::Error;
+use crate::mesh::RawPart;
+use gltf::Gltf;
+use gltf::accessor::{DataType, Dimensions};
+use gltf::buffer::{self, Data};
+use gltf::mesh::{Mode, Primitive, Semantic};
+use nodes::{Placed, Placement};
+use sh_scene::Material;
+use std::path::Path;
+
+/// Required extensions that change nothing of what is read here.
+const HARMLESS: [&str; 2] = ["KHR_lights_punctual", "KHR_materials_unlit"];
+
+/// All triangles of the default scene (the first where none is named), a part for each primitive, and
+/// warnings about what was passed over.
+pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<(Vec<RawPart>, Vec<String>), Error> {
+    let wrong = |message: String| Error::file(path, message);
+    let damaged = |e: gltf::Error| wrong(format!("the glTF is damaged: {e}."));
+
+    // Before the crate's own validation, which refuses such files without saying which extension it is.
+    let unchecked = Gltf::from_slice_without_validation(bytes).map_err(damaged)?;
+    if let Some(name) = unchecked
+        .extensions_required()
+        .find(|name| !HARMLESS.contains(name))
+    {
+        return Err(wrong(format!(
+            "extensionsRequired names {name}, which is not supported; save the file without it."
+        )));
+    }
+    let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(damaged)?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let buffers = buffers(&document, folder, blob).map_err(wrong)?;
+
+    let mut warnings = Vec::new();
+    let Some(scene) = document
+        .default_scene()
+        .or_else(|| document.scenes().next())
+    else {
+        return Err(wrong(
+            "the glTF has no scene, and so no triangles.".to_string(),
+        ));
+    };
+    let mut parts = Vec::new();
+    for Placed { mesh, placement } in nodes::placed(&document, &scene, &buffers).map_err(wrong)? {
+        for primitive in mesh.primitives() {
+            let name = match mesh.name() {
+                Some(name) => format!(
+                    "mesh {} ({name}), primitive {}",
+                    mesh.index(),
+                    primitive.index()
+                ),
+                None => format!("mesh {}, primitive {}", mesh.index(), primitive.index()),
+            };
+            let explain = |message: String| wrong(format!("{name}: {message}."));
+            let mut part = surface(&primitive, &buffers, &placement).map_err(explain)?;
+            if part.triangles.is_empty() {
+                let display = path.display();
+                warnings.push(format!(
+                    "{display}: {name} has no triangles and was passed over."
+                ));
+                continue;
+            }
+            part.material =
+                material(&primitive, folder, &buffers, &mut part.uvs).map_err(explain)?;
+            part.name = name;
+            parts.push(part);
+        }
+    }
+    Ok((parts, warnings))
+}
+
+/// The bytes of every buffer.
+fn buffers(
+    document: &gltf::Document,
+    folder: &Path,
+    blob: Option<Vec<u8>>,
+) -> Result<Vec<Data>, String> {
+    for buffer in document.buffers() {
+        if let buffer::Source::Uri(uri) = buffer.source() {
+            decodable(uri).map_err(|e| format!("buffers[{}].uri {e}.", buffer.index()))?;
+        }
+    }
+    gltf::import_buffers(document, Some(folder), blob).map_err(|e| match e {
+        gltf::Error::BufferLength { buffer, expected, actual } => format!(
+            "buffers[{buffer}].byteLength says {expected} bytes, but there are {actual}: the file is cut off."
+        ),
+        gltf::Error::Io(e) => format!("a file that buffers[].uri names cannot be read: {e}."),
+        e => format!("buffers[]: {e}."),
+    })
+}
+
+/// Checks that a URI's percent signs make text: the crate takes that for granted.
+fn decodable(uri: &str) -> Result<(), String> {
+    if uri.starts_with("data:") || !uri.contains('%') {
+        return Ok(());
+    }
+    let mut bytes = Vec::new();
+    let mut rest = uri.as_bytes();
+    while let Some((&first, others)) = rest.split_first() {
+        let digits = others.get(..2).and_then(|d| std::str::from_utf8(d).ok());
+        match digits.and_then(|d| u8::from_str_radix(d, 16).ok()) {
+            Some(byte) if first == b'%' => {
+                bytes.push(byte);
+                rest = &others[2..];
+            }
+            _ => {
+                bytes.push(first);
+                rest = others;
+            }
+        }
+    }
+    match std::str::from_utf8(&bytes) {
+        Ok(_) => Ok(()),
+        Err(_) => Err(format!(
+            "`{uri}` is not UTF-8 once its percent signs are decoded"
+        )),
+    }
+}
+
+/// A primitive's triangles where its node puts them. Messages name the attribute and have no full stop.
+fn surface(
+    primitive: &Primitive,
+    buffers: &[Data],
+    placement: &Placement,
+) -> Result<RawPart, String> {
+    let mut part = RawPart {
+        name: String::new(),
+        positions: Vec::new(),
+        normals: Vec::new(),
+        uvs: Vec::new(),
+        triangles: Vec::new(),
+        material: Material {
+            albedo: crate::WHITE,
+            texture: None,
+        },
+    };
+    if !matches!(
+        primitive.mode(),
+        Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan
+    ) {
+        return Ok(part);
+    }
+    for (semantic, accessor) in primitive.attributes() {
+        let (dimensions, types): (_, &[DataType]) = match semantic {
+            Semantic::Positions | Semantic::Normals => (Dimensions::Vec3, &[DataType::F32]),
+            Semantic::TexCoords(_) => (
+                Dimensions::Vec2,
+                &[DataType::F32, DataType::U8, DataType::U16],
+            ),
+            Semantic::Joints(0) => (Dimensions::Vec4, &[DataType::U8, DataType::U16]),
+            Semantic::Weights(0) => (
+                Dimensions::Vec4,
+                &[DataType::F32, DataType::U8, DataType::U16],
+            ),
+            _ => continue,
+        };
+        let name = semantic.to_string();
+        check::accessor(&accessor, buffers, dimensions, types)
+            .map_err(|e| format!("{name}: {e}"))?;
+    }
+    let reader = primitive.reader(|buffer| buffers.get(buffer.index()).map(|data| &data.0[..]));
+    let Some(positions) = reader.read_positions() else {
+        return Ok(part);
+    };
+    part.positions = positions.collect();
+    part.normals = reader
+        .read_normals()
+        .map(Iterator::collect)
+        .unwrap_or_default();
+    let corners: Vec<u32> = match primitive.indices() {
+        Some(accessor) => {
+            let types = [DataType::U8, DataType::U16, DataType::U32];
+            check::accessor(&accessor, buffers, Dimensions::Scalar, &types)
+                .map_err(|e| format!("indices: {e}"))?;
+            reader
+                .read_indices()
+                .map(|i| i.into_u32().collect())
+                .unwrap_or_default()
+        }
+        None => (0..part.positions.len() as u32).collect(),
+    };
+    part.triangles = match primitive.mode() {
+        Mode::TriangleStrip => strip(&corners),
+        Mode::TriangleFan => corners
+            .windows(2)
+            .skip(1)
+            .map(|w| [corners[0], w[0], w[1]])
+            .collect(),
+        _ => corners.as_chunks::<3>().0.to_vec(),
+    };
+    if part.normals.len() != part.positions.len() {
+        part.normals.clear();
+    }
+    if let Some(set) = primitive
+        .material()
+        .pbr_metallic_roughness()
+        .base_color_texture()
+    {
+        let uvs = reader.read_tex_coords(set.tex_coord());
+        part.uvs = uvs.map(|uvs| uvs.into_f32().collect()).unwrap_or_default();
+    }
+    if part.uvs.len() != part.positions.len() {
+        part.uvs.clear();
+    }
+    let joints: Vec<[u16; 4]> = reader
+        .read_joints(0)
+        .map(|j| j.into_u16().collect())
+        .unwrap_or_default();
+    let weights: Vec<[f32; 4]> = reader
+        .read_weights(0)
+        .map(|w| w.into_f32().collect())
+        .unwrap_or_default();
+    placement.apply(&mut part, &joints, &weights)?;
+    Ok(part)
+}
+
+/// A strip's triangles: every second one is turned, so that all face alike.
+fn strip(corners: &[u32]) -> Vec<[u32; 3]> {
+    let turned = |(k, w): (usize, &[u32])| {
+        if k % 2 == 0 {
+            [w[0], w[1], w[2]]
+        } else {
+            [w[1], w[0], w[2]]
+        }
+    };
+    corners.windows(3).enumerate().map(turned).collect()
+}
+
+/// Base colour and texture. A texture without coordinates is left out, coordinates without a texture too.
+fn material(
+    primitive: &Primitive,
+    folder: &Path,
+    buffers: &[Data],
+    uvs: &mut Vec<[f32; 2]>,
+) -> Result<Material, String> {
+    let surface = primitive.material().pbr_metallic_roughness();
+    let [r, g, b, _] = surface.base_color_factor();
+    let albedo = [r, g, b].map(|c| c.clamp(0.0, 1.0));
+    let texture = match surface.base_color_texture() {
+        Some(info) if !uvs.is_empty() => Some(texture::load(&info.texture(), folder, buffers)?),
+        _ => None,
+    };
+    if texture.is_none() {
+        uvs.clear();
+    } else if let Some(uv) = uvs.iter().find(|uv| !uv.iter().all(|c| c.is_finite())) {
+        return Err(format!(
+            "TEXCOORD: a texture coordinate is {uv:?}, and they have to be finite"
+        ));
+    }
+    Ok(Material { albedo, texture })
+}
