@@ -3,10 +3,14 @@
 //! The results are the text files of `codegen/data/`, which the library compiles in. A test refits and
 //! compares.
 
+use crate::Error;
+use crate::image::Output;
+use crate::progress::Progress;
 use nalgebra::{DMatrix, DVector};
 use sh_core::log::Logarithm;
 use sh_core::{ROOT_FOUR_PI, Routines, cap};
 use std::fmt::Write;
+use std::path::Path;
 
 /// A data file: its name in `codegen/data/` and its text.
 pub struct DataFile {
@@ -70,6 +74,38 @@ pub fn all(progress: &dyn Fn(f32)) -> Vec<DataFile> {
             text: linear,
         },
     ]
+}
+
+/// Writes all fitted data into a folder that exists, and says what changed.
+pub fn write(folder: &Path) -> Result<String, Error> {
+    if !folder.is_dir() {
+        let folder = folder.display();
+        return Err(Error::Usage(format!(
+            "{folder} is no folder: run this at the root of the sources, or name one with --out"
+        )));
+    }
+    let progress = Progress::new("fitting");
+    let files = all(&|part| progress.set(part));
+    progress.finish();
+    let mut lines = Vec::new();
+    for DataFile { name, text } in files {
+        let path = folder.join(name);
+        let before = std::fs::read_to_string(&path).ok();
+        let verdict = match before {
+            Some(before) if before == text => "unchanged",
+            Some(_) => "changed",
+            None => "new",
+        };
+        if verdict != "unchanged" {
+            Output::create(&path)?.finish(|file| {
+                use std::io::Write;
+                let written = file.write_all(text.as_bytes());
+                written.map_err(|source| Error::file("write to", path.display(), source))
+            })?;
+        }
+        lines.push(format!("{} {verdict}", path.display()));
+    }
+    Ok(lines.join("\n"))
 }
 
 /// The eigen logarithm of a cap of angular radius `angle`: its zonal coefficients.

@@ -1,3 +1,22 @@
 //! The program's parts, as a library so that tests can call them.
+//!
+//! | command | module |
+//! |---|---|
+//! | `gaunt`, `gaunt render` | [`render`], with [`image`] for tone and files, [`report`], [`gpu`] |
+//! | `gaunt eval` | [`eval`] |
+//! | `gaunt project` | [`project`] |
+//! | `gaunt ops` | [`ops`] |
+//! | `gaunt fit` | [`fit`] |
 
+mod error;
+pub mod eval;
 pub mod fit;
+pub mod gpu;
+pub mod image;
+pub mod ops;
+pub mod progress;
+pub mod project;
+pub mod render;
+pub mod report;
+
+pub use error::Error;

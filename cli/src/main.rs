@@ -1,10 +1,214 @@
-//! (under construction)
-fn main() {
-    for file in gaunt::fit::all(&|_| {}) {
-        std::fs::write(
-            std::path::Path::new("codegen/data").join(file.name),
-            file.text,
-        )
-        .unwrap();
+//! The program: arguments and dispatch.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use gaunt::render::{Backend, Options};
+use gaunt::{Error, eval, fit, ops, project, render};
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Soft shadows from environment light, in spherical harmonics.
+///
+/// Without a command, renders the built-in scene to gaunt.png.
+#[derive(Parser)]
+#[command(version, about, long_about)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Render a scene to a PNG or EXR file
+    ///
+    /// Prints where the picture is, the plan (which passes run and why) and the time that each stage took.
+    Render(Render),
+    /// Print the SH coefficients of an environment map
+    ///
+    /// One row a coefficient, index l*l + l + m, with red, green and blue. Nothing is windowed, and solid
+    /// angles are exact.
+    Project {
+        /// An equirectangular map, .hdr or .exr; its centre is -Z, its top +Y
+        environment: PathBuf,
+        /// SH order: 2 to 6
+        #[arg(long, default_value_t = 4)]
+        order: usize,
+        /// Print [[red, green, blue], ...] instead of a table
+        #[arg(long)]
+        json: bool,
+    },
+    /// Evaluate SH routines: JSON lines from standard input, one JSON line out for each
+    ///
+    /// A request is {"op": ..., "order": n, ...}, the answer {"ok": [...]} or {"error": "a sentence"}.
+    /// Operations and their arguments:
+    ///   basis {dir}   cosine {dir}   zonal {z, dir}   product {f, g}   square {f}   triple {f, g, h}
+    ///   rotate {f, quat: [x, y, z, w]}   window {f, h}   cap {angle}   log {f}
+    ///   cap_log {angle, method: fitted | table | eigen | samples}   exp {f, method: ps*:2 | ps*:N | hyb}
+    /// Vectors have n*n numbers, zonal ones n; angles are radians; rotations are active; directions and
+    /// quaternions must be unit vectors. Without a method, cap_log and exp do as the shadow pass does
+    /// (fitted, beyond pi/2 table; ps*:2).
+    #[command(verbatim_doc_comment)]
+    Eval {
+        /// What computes: double precision, single precision, or the WGSL library on a GPU
+        #[arg(long, value_enum, default_value_t = Precision::F64)]
+        backend: Precision,
+    },
+    /// Print how many multiplications and additions each generated routine takes
+    Ops {
+        /// Print [{"routine", "order", "mul", "add"}, ...] instead of a table
+        #[arg(long)]
+        json: bool,
+    },
+    /// Refit all fitted constants of the library and write them as data files
+    Fit {
+        /// The folder for the files
+        #[arg(long, default_value = "codegen/data")]
+        out: PathBuf,
+    },
+}
+
+#[derive(Args)]
+struct Render {
+    /// A scene in TOML; without one, the built-in scene
+    scene: Option<PathBuf>,
+    /// The picture: .png (for a screen) or .exr (linear radiance)
+    #[arg(short, long, default_value = "gaunt.png")]
+    out: PathBuf,
+    /// What computes; auto takes a GPU if there is one, and the CPU otherwise
+    #[arg(long, value_enum, default_value_t = Backend::Auto)]
+    backend: Backend,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
+    size: [u32; 2],
+    /// SH order, 2 to 6, instead of the scene's
+    #[arg(long)]
+    order: Option<usize>,
+    /// Whether shadows are cast, instead of what the scene says
+    #[arg(long, value_enum)]
+    shadows: Option<Switch>,
+    /// Brighter or darker by so many stops (PNG only)
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true, value_parser = stops)]
+    exposure: f32,
+    /// Also write what was done and how long it took to this file
+    #[arg(long, value_name = "REPORT.json")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Switch {
+    On,
+    Off,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Precision {
+    F64,
+    F32,
+    Gpu,
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let sides = text
+        .split_once(['x', 'X'])
+        .and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    match sides {
+        Some([w, h]) if (1..=16_384).contains(&w) && (1..=16_384).contains(&h) => Ok([w, h]),
+        Some(_) => Err("each side must be 1 to 16384 pixels".into()),
+        None => Err("a size looks like 1280x720".into()),
+    }
+}
+
+fn stops(text: &str) -> Result<f32, String> {
+    match text.parse() {
+        Ok(stops) if (-20.0..=20.0).contains(&stops) => Ok(stops),
+        _ => Err("stops are a number from -20 to 20".into()),
+    }
+}
+
+fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            // Help goes to standard output and is no failure. Where printing fails, nobody reads it.
+            let _ = error.print();
+            return if error.use_stderr() {
+                ExitCode::FAILURE
+            } else {
+                ExitCode::SUCCESS
+            };
+        }
+    };
+    match run(cli.command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            let text = error.to_string();
+            let end = if text.ends_with(['.', '!', '?']) {
+                ""
+            } else {
+                "."
+            };
+            let _ = writeln!(std::io::stderr(), "gaunt: {text}{end}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(command: Option<Command>) -> Result<(), Error> {
+    match command {
+        None => say(&render::render(&Options::default())?.to_string()),
+        Some(Command::Render(args)) => {
+            let options = Options {
+                scene: args.scene,
+                out: args.out,
+                backend: args.backend,
+                size: args.size,
+                order: args.order,
+                shadows: args.shadows.map(|switch| matches!(switch, Switch::On)),
+                stops: args.exposure,
+                report: args.json,
+            };
+            say(&render::render(&options)?.to_string())
+        }
+        Some(Command::Project {
+            environment,
+            order,
+            json,
+        }) => {
+            let map = sh_bake::load_environment(&environment)?;
+            let coefficients = project::coefficients(&map, order)?;
+            say(&if json {
+                serde_json::json!(coefficients).to_string()
+            } else {
+                project::table(&coefficients)
+            })
+        }
+        Some(Command::Eval { backend }) => {
+            let backend = match backend {
+                Precision::F64 => eval::Backend::F64,
+                Precision::F32 => eval::Backend::F32,
+                Precision::Gpu => eval::Backend::Gpu(Box::new(eval::Evaluator::new()?)),
+            };
+            eval::serve(backend, std::io::stdin().lock(), std::io::stdout().lock())
+        }
+        Some(Command::Ops { json }) => {
+            let counts = ops::counts();
+            say(&if json {
+                ops::json(&counts)
+            } else {
+                ops::table(&counts)
+            })
+        }
+        Some(Command::Fit { out }) => say(&fit::write(&out)?),
+    }
+}
+
+/// Prints to standard output. A reader that has gone away is no failure.
+fn say(text: &str) -> Result<(), Error> {
+    let mut output = std::io::stdout().lock();
+    match writeln!(output, "{text}").and_then(|()| output.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Error::file("write to", "standard output", error))
+        }
+        _ => Ok(()),
     }
 }

@@ -1,0 +1,283 @@
+//! From radiance to files: exposure, tone curve, encoding.
+//!
+//! The passes end with linear radiance. For a screen it is scaled by an exposure that follows from the light
+//! alone (so that two pictures under one light can be compared), bent towards white where it is too bright,
+//! and encoded as sRGB. EXR files keep the radiance as it is.
+
+use crate::Error;
+use image::{ExtendedColorType, ImageEncoder, ImageFormat, Rgb32FImage};
+use sh_scene::Light;
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+
+/// A picture of linear Rec.709 radiance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// `width * height` pixels, row by row from the top.
+    pub pixels: Vec<[f32; 3]>,
+}
+
+/// What a white surface under the average light becomes on a screen, in linear terms before the tone curve.
+const MIDDLE: f64 = 0.40;
+
+/// Where the tone curve leaves the straight line, in linear terms.
+const SHOULDER: f32 = 0.6;
+
+/// How fast what is brighter than white loses its colour.
+const BLEACH: f32 = 0.15;
+
+/// The factor that brings the luminance of a white diffuse surface, under this light without shadows and
+/// averaged over all directions it may face, to 0.40: 0.67 of an sRGB screen's range. 1 for a dark light.
+///
+/// That average is the mean radiance: all bands but the first average to 0, and a cosine lobe over π
+/// integrates to 1.
+///
+/// ```
+/// use sh_scene::Light;
+/// let gray = Light { order: 2, coefficients: vec![[3.5449077; 3], [0.0; 3], [0.0; 3], [0.0; 3]] };
+/// assert!((gaunt::image::exposure(&gray) - 0.4).abs() < 1e-6);
+/// ```
+pub fn exposure(light: &Light) -> f32 {
+    let [r, g, b] = light
+        .coefficients
+        .first()
+        .map_or([0.0; 3], |c| c.map(f64::from));
+    let mean = (0.2126 * r + 0.7152 * g + 0.0722 * b) / (4.0 * std::f64::consts::PI).sqrt();
+    if mean > 0.0 {
+        (MIDDLE / mean) as f32
+    } else {
+        1.0
+    }
+}
+
+/// The tone curve, 0..∞ to 0..1: straight up to 0.6, then a hyperbola to 1 without a kink. It acts on the
+/// largest channel and scales the others with it, so that hues stay; what is far beyond white bleaches.
+/// This is the shape of the Khronos PBR Neutral tone mapper (2024), without its offset for reflections.
+///
+/// ```
+/// use gaunt::image::tone;
+/// assert_eq!(tone([0.1, 0.3, 0.6]), [0.1, 0.3, 0.6]);
+/// assert!(tone([8.0, 4.0, 1.0]).iter().all(|c| *c < 1.0));
+/// ```
+pub fn tone(color: [f32; 3]) -> [f32; 3] {
+    // Not a number becomes black: `max` drops it.
+    let color = color.map(|c| c.max(0.0).min(f32::MAX));
+    let peak = color[0].max(color[1]).max(color[2]);
+    if peak <= SHOULDER {
+        return color;
+    }
+    let room = 1.0 - SHOULDER;
+    let bent = 1.0 - room * room / (peak + room - SHOULDER);
+    let pale = 1.0 - 1.0 / (BLEACH * (peak - bent) + 1.0);
+    color.map(|c| {
+        let scaled = c / peak * bent;
+        scaled + (bent - scaled) * pale
+    })
+}
+
+/// The sRGB encoding (IEC 61966-2-1) of a linear value in 0..1, to 8 bits.
+pub fn srgb(linear: f32) -> u8 {
+    let encoded = if linear <= 0.003_130_8 {
+        12.92 * linear
+    } else {
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
+    };
+    (encoded * 255.0 + 0.5) as u8
+}
+
+/// The kinds of files that pictures are written to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// 8 bits, for a screen.
+    Png,
+    /// 32-bit floats, linear.
+    Exr,
+}
+
+impl Kind {
+    fn of(path: &Path) -> Result<Self, Error> {
+        let ending = path
+            .extension()
+            .map(|e| e.to_string_lossy().to_ascii_lowercase());
+        match ending.as_deref() {
+            Some("png") => Ok(Self::Png),
+            Some("exr") => Ok(Self::Exr),
+            _ => Err(Error::Usage(format!(
+                "cannot write a picture to {}: its name must end in .png or .exr",
+                path.display()
+            ))),
+        }
+    }
+}
+
+/// A file that appears whole or not at all: it is written under another name in the same folder and renamed
+/// at the end.
+#[derive(Debug)]
+pub struct Output {
+    path: PathBuf,
+    partial: PathBuf,
+    file: Option<std::fs::File>,
+}
+
+impl Output {
+    /// Makes sure, before the work, that the file can be written after it.
+    pub fn create(path: &Path) -> Result<Self, Error> {
+        let Some(name) = path.file_name().filter(|_| !path.is_dir()) else {
+            let path = path.display();
+            return Err(Error::Usage(format!(
+                "cannot write to {path}: it is a folder"
+            )));
+        };
+        let name = format!(".{}.{}.partial", name.to_string_lossy(), std::process::id());
+        let partial = path.with_file_name(name);
+        let file = std::fs::File::create(&partial)
+            .map_err(|source| Error::file("write to", path.display(), source))?;
+        Ok(Self {
+            path: path.into(),
+            partial,
+            file: Some(file),
+        })
+    }
+
+    /// Writes the file with `write` and puts it in its place.
+    pub fn finish(
+        mut self,
+        write: impl FnOnce(&mut BufWriter<std::fs::File>) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let Some(file) = self.file.take() else {
+            return Ok(());
+        };
+        let failed = |source| Error::file("write to", self.path.display(), source);
+        let mut writer = BufWriter::new(file);
+        write(&mut writer)?;
+        writer
+            .into_inner()
+            .map_err(|error| failed(error.into_error()))?
+            .sync_all()
+            .map_err(failed)?;
+        std::fs::rename(&self.partial, &self.path).map_err(failed)
+    }
+}
+
+/// Where the file was not finished, nothing of it remains.
+impl Drop for Output {
+    fn drop(&mut self) {
+        // Gone already after `finish`; otherwise nobody is left to tell of a failure.
+        let _ = std::fs::remove_file(&self.partial);
+    }
+}
+
+/// A picture's file, opened before the picture is there.
+#[derive(Debug)]
+pub struct PictureFile {
+    output: Output,
+    kind: Kind,
+}
+
+impl PictureFile {
+    /// A file for a picture, PNG or EXR by its ending.
+    pub fn create(path: &Path) -> Result<Self, Error> {
+        let kind = Kind::of(path)?;
+        Ok(Self {
+            output: Output::create(path)?,
+            kind,
+        })
+    }
+
+    /// Writes the picture. `exposure` counts for PNG alone.
+    pub fn finish(self, picture: Picture, exposure: f32) -> Result<(), Error> {
+        let (width, height) = (picture.width, picture.height);
+        let path = self.output.path.display().to_string();
+        let failed = |source| Error::Encode { path, source };
+        self.output.finish(|writer| match self.kind {
+            Kind::Png => {
+                let bytes: Vec<u8> = picture
+                    .pixels
+                    .iter()
+                    .flat_map(|pixel| tone(pixel.map(|c| c * exposure)).map(srgb))
+                    .collect();
+                image::codecs::png::PngEncoder::new(writer)
+                    .write_image(&bytes, width, height, ExtendedColorType::Rgb8)
+                    .map_err(failed)
+            }
+            Kind::Exr => {
+                let samples = picture.pixels.into_flattened();
+                let count = samples.len();
+                let image = Rgb32FImage::from_raw(width, height, samples).ok_or_else(|| {
+                    Error::Usage(format!(
+                        "{count} numbers do not make {width} by {height} pixels"
+                    ))
+                })?;
+                image.write_to(writer, ImageFormat::OpenExr).map_err(failed)
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tone_curve_rises_without_a_kink() {
+        let mut before = 0.0;
+        let mut slope_before = 1.0;
+        for i in 1..4000 {
+            let x = i as f32 / 1000.0;
+            let y = tone([x; 3])[0];
+            let slope = (y - before) * 1000.0;
+            assert!(y > before && y < 1.0, "{x}: {before} {y}");
+            assert!(
+                (slope - slope_before).abs() < 0.02,
+                "{x}: {slope_before} {slope}"
+            );
+            (before, slope_before) = (y, slope);
+        }
+    }
+
+    #[test]
+    fn the_tone_curve_keeps_order_and_survives_anything() {
+        for color in [
+            [f32::NAN; 3],
+            [f32::INFINITY; 3],
+            [-1.0, 0.5, 2.0],
+            [1e30, 1.0, 0.0],
+        ] {
+            let [r, g, b] = tone(color);
+            assert!(
+                [r, g, b].iter().all(|c| (0.0..=1.0).contains(c)),
+                "{color:?}: {r} {g} {b}"
+            );
+        }
+        let [r, g, b] = tone([3.0, 2.0, 1.0]);
+        assert!(r > g && g > b);
+    }
+
+    #[test]
+    fn srgb_meets_its_fixed_points() {
+        assert_eq!(
+            [srgb(0.0), srgb(1.0), srgb(0.214_041_14), srgb(0.001)],
+            [0, 255, 128, 3]
+        );
+    }
+
+    #[test]
+    fn an_unfinished_file_leaves_nothing() {
+        let folder = std::env::temp_dir().join(format!("gaunt-output-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("picture.png");
+        drop(Output::create(&path).unwrap());
+        let failed = Output::create(&path)
+            .unwrap()
+            .finish(|_| Err(Error::Usage("no".into())));
+        assert!(failed.is_err());
+        assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 0);
+        Output::create(&path).unwrap().finish(|_| Ok(())).unwrap();
+        assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1);
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+}
