@@ -16,6 +16,9 @@ use nalgebra::{SMatrix, SVector};
 /// Eigenvalues below this part of the largest are raised to it.
 pub const CLIP: f64 = 0.02;
 
+/// The least visibility that a logarithm is taken of.
+const DARKEST: f64 = 1e-30;
+
 /// An array of n² coefficients whose logarithm can be taken; implemented for orders 2 to 6.
 pub trait Logarithm: Routines<f64> {
     /// log(g). Finite for every finite g; a g whose product matrix has no positive eigenvalue (nothing is
@@ -38,10 +41,14 @@ macro_rules! logarithm {
                     let (r, c) = (i.max(j), i.min(j));
                     lower[r * (r + 1) / 2 + c]
                 });
-                let eigen = matrix.symmetric_eigen();
-                let largest = eigen.eigenvalues.max().max(1e-30 / CLIP);
                 let mut rest = SVector::<f64, $c>::from_column_slice(self);
                 rest[0] -= ROOT_FOUR_PI;
+                if matrix.amax() == 0.0 {
+                    // Any basis is one of eigenvectors, and the solver divides by the largest entry.
+                    return (rest * inverse_growth(DARKEST)).into();
+                }
+                let eigen = matrix.symmetric_eigen();
+                let largest = eigen.eigenvalues.max().max(DARKEST / CLIP);
                 let mut along = eigen.eigenvectors.tr_mul(&rest);
                 for (a, value) in along.iter_mut().zip(eigen.eigenvalues.iter()) {
                     *a *= inverse_growth(value.max(CLIP * largest));
@@ -53,10 +60,17 @@ macro_rules! logarithm {
 }
 logarithm!(4 9 16 25 36);
 
-/// q'(x) = log(x)/(x − 1), 1 at x = 1; accurate throughout because the argument of `ln_1p` is exact there.
+/// q'(x) = log(x)/(x − 1), 1 at x = 1. Near 1 the difference x − 1 is exact and keeps every digit; near 0 it
+/// would lose x.
 fn inverse_growth(x: f64) -> f64 {
     let d = x - 1.0;
-    if d == 0.0 { 1.0 } else { real::log1p(d) / d }
+    if d == 0.0 {
+        1.0
+    } else if x < 0.5 {
+        real::log(x) / d
+    } else {
+        real::log1p(d) / d
+    }
 }
 
 /// The naive logarithm of a zonal function about +Z: sampled, clipped to `floor` from below, projected back

@@ -1,1 +1,6 @@
-//! (under construction)
+//! What the tests share: cases, the truth of every routine, and calls by name.
+
+pub mod accuracy;
+pub mod call;
+pub mod case;
+pub mod truth;

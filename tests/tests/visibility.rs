@@ -1,0 +1,253 @@
+//! Circular blockers and the exponential of their logarithms, and environment maps.
+
+use sh_core::log::Logarithm;
+use sh_core::{ROOT_FOUR_PI, Routines, cap, exp, project};
+use sh_reference as reference;
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).powi(2))
+        .sum::<f64>()
+        .sqrt()
+}
+
+/// Runs a generic function at every order.
+macro_rules! every_order {
+    ($f:ident) => {
+        $f::<4>();
+        $f::<9>();
+        $f::<16>();
+        $f::<25>();
+        $f::<36>();
+    };
+}
+
+#[test]
+fn cap_visibility_at_any_angle() {
+    fn check<const C: usize>()
+    where
+        [f64; C]: Routines<f64>,
+    {
+        for degree in 0..=180 {
+            let angle = f64::from(degree).to_radians();
+            let want = reference::cap::visibility(<[f64; C]>::ORDER, angle);
+            assert!(
+                distance(cap::visibility::<C>(angle).as_ref(), &want) < 1e-14,
+                "{degree}°"
+            );
+        }
+        assert_eq!(cap::visibility::<C>(0.0).as_ref()[1], 0.0);
+    }
+    every_order!(check);
+}
+
+/// Small blockers keep their relative accuracy: a plain difference of Legendre polynomials would not.
+#[test]
+fn tiny_caps() {
+    let angle = 1e-6;
+    let blocked = reference::cap::blocked(6, angle);
+    let ours = cap::visibility::<36>(angle);
+    for l in 1..6 {
+        assert!(
+            (ours.as_ref()[l] / -blocked[l] - 1.0).abs() < 1e-8,
+            "band {l}"
+        );
+    }
+}
+
+#[test]
+fn eigen_log_against_reference() {
+    fn check<const C: usize>()
+    where
+        [f64; C]: Logarithm,
+    {
+        let mut random = sh_tests::case::Random::new(3);
+        for degree in [5.0_f64, 20.0, 40.0, 50.0, 75.0, 90.0, 130.0] {
+            let d = random.on_sphere::<3>();
+            let g = <[f64; C]>::zonal(cap::visibility::<C>(degree.to_radians()), d);
+            let want = reference::log::eigen(&g, sh_core::log::CLIP)
+                .expect("a visibility has a logarithm");
+            assert!(
+                distance(&g.log(), &want) < 1e-9,
+                "{degree}°: {}",
+                distance(&g.log(), &want)
+            );
+        }
+    }
+    every_order!(check);
+}
+
+/// The logarithm of nothing visible and of everything visible.
+#[test]
+fn limits_of_the_logarithm() {
+    let mut one = [0.0; 16];
+    one[0] = ROOT_FOUR_PI;
+    assert!(one.log().iter().all(|x| x.abs() < 1e-12));
+    assert!([0.0; 16].log().iter().all(|x| x.is_finite()));
+    assert!(
+        <[f64; 16]>::zonal(cap::visibility::<16>(3.141_592_6), [0.0, 0.0, 1.0])
+            .log()
+            .iter()
+            .all(|x| x.is_finite())
+    );
+}
+
+/// The fitted logarithm is as good as the eigen logarithm where it matters: in the visibility that the
+/// exponential makes of it, for any blocker up to the horizon.
+#[test]
+fn fitted_log_gives_back_the_visibility() {
+    fn check<const C: usize>()
+    where
+        [f64; C]: Logarithm,
+    {
+        let (mut fitted, mut eigen) = (0.0_f64, 0.0_f64);
+        for degree in 1..=90 {
+            let angle = f64::from(degree).to_radians();
+            let want = <[f64; C]>::zonal(cap::visibility::<C>(angle), [0.0, 0.0, 1.0]);
+            let from = |z| {
+                distance(
+                    &exp::ps_star(&<[f64; C]>::zonal(z, [0.0, 0.0, 1.0]), 2),
+                    &want,
+                ) / ROOT_FOUR_PI
+            };
+            fitted = fitted.max(from(cap::log_fitted::<C>(angle)));
+            eigen = eigen.max(from(cap::log_table::<C>(angle)));
+        }
+        println!(
+            "order {}: fitted {fitted:.4}, eigen {eigen:.4}",
+            <[f64; C]>::ORDER
+        );
+        assert!(
+            fitted < 0.065 && fitted < eigen + 0.006,
+            "fitted {fitted}, eigen {eigen}"
+        );
+    }
+    every_order!(check);
+}
+
+#[test]
+fn table_is_the_eigen_log() {
+    for degree in [1.0_f64, 17.0, 60.0, 111.0, 179.0] {
+        let want = reference::log::cap_eigen(4, degree.to_radians(), sh_core::log::CLIP)
+            .expect("it has one");
+        assert!(
+            distance(&cap::log_table::<16>(degree.to_radians()), &want)
+                < 1e-5 * (1.0 + want[0].abs()),
+            "{degree}°"
+        );
+    }
+}
+
+#[test]
+fn exponentials_against_reference() {
+    fn check<const C: usize>()
+    where
+        [f64; C]: Routines<f64>,
+    {
+        let mut random = sh_tests::case::Random::new(11);
+        for size in [0.0, 0.01, 0.2, 0.3, 1.0, 3.0, 8.0] {
+            let f: [f64; C] = std::array::from_fn(|_| size * random.signed() / (C as f64).sqrt());
+            for degree in [1, 2, 3, 4, 7] {
+                let want = reference::exp::ps_star(&f, degree);
+                let got = exp::ps_star(&f, degree);
+                assert!(
+                    distance(&got, &want) < 1e-10 * (1.0 + distance(&want, &[0.0; C])),
+                    "PS*-{degree} of {size}"
+                );
+            }
+            let want = reference::exp::hyb(&f, reference::exp::squarings(&f), |norm| {
+                let [a, b] = <[f64; C]>::optimal_linear(norm);
+                (a, b)
+            });
+            assert!(
+                distance(&exp::hyb(&f), &want) < 1e-10 * (1.0 + distance(&want, &[0.0; C])),
+                "HYB of {size}"
+            );
+        }
+    }
+    every_order!(check);
+}
+
+/// A constant's exponential is exact: DC is isolated with f₀/√(4π) and nothing else.
+#[test]
+fn exponential_of_a_constant() {
+    for value in [-30.0, -1.0, 0.0, 0.7] {
+        let mut f = [0.0; 16];
+        f[0] = value * ROOT_FOUR_PI;
+        for g in [exp::ps_star(&f, 2), exp::hyb(&f)] {
+            assert!((g[0] / ROOT_FOUR_PI - f64::exp(value)).abs() < 1e-14);
+        }
+    }
+}
+
+/// Small blockers: both methods approach the exact exponential of the band-limited function.
+#[test]
+fn exponential_of_small_logs() {
+    let f = <[f64; 16]>::zonal(cap::log_fitted::<16>(0.2), [0.6, 0.0, 0.8]);
+    let exact = reference::exp::exact(&f).coefficients;
+    assert!(distance(&exp::ps_star(&f, 2), &exact) < 2e-3);
+}
+
+/// What is not finite comes back as such, soon.
+#[test]
+fn exponential_ends_for_any_input() {
+    for bad in [f32::NAN, f32::INFINITY, 1e30] {
+        let mut f = [0.1_f32; 16];
+        f[5] = bad;
+        let g = exp::ps_star(&f, 2);
+        assert!(g.iter().any(|x| !x.is_finite()) || bad == 1e30);
+    }
+}
+
+#[test]
+fn projection_against_reference() {
+    let mut random = sh_tests::case::Random::new(5);
+    for (width, height) in [(1, 1), (2, 1), (5, 4), (16, 9)] {
+        let map = reference::environment::map_of(width, height, |_| {
+            std::array::from_fn(|_| random.unit())
+        });
+        let want = reference::environment::project(6, &map);
+        let got = project::equirectangular::<36>(width as usize, height as usize, |x, y| {
+            map.pixels[y * width as usize + x]
+        });
+        for (got, want) in [got.r, got.g, got.b].iter().zip(&want) {
+            assert!(
+                distance(&got.0, want) < 1e-9,
+                "{width} × {height}: {}",
+                distance(&got.0, want)
+            );
+        }
+    }
+}
+
+/// A band-limited map comes back, to the error of constant texels, which falls with their area.
+#[test]
+fn projection_returns_what_was_drawn() {
+    let mut random = sh_tests::case::Random::new(6);
+    let f: [f64; 25] = std::array::from_fn(|_| random.signed());
+    let mut errors = Vec::new();
+    for height in [32, 64, 128] {
+        let map = reference::environment::map_of(2 * height, height, |d| {
+            [f.dot(&<[f64; 25]>::basis(d)); 3]
+        });
+        let got = project::equirectangular::<25>(2 * height as usize, height as usize, |x, y| {
+            map.pixels[y * 2 * height as usize + x]
+        });
+        errors.push(distance(&got.g.0, &f) / distance(&f, &[0.0; 25]));
+    }
+    assert!(
+        errors[2] < 1e-3 && errors[1] / errors[2] > 3.5 && errors[0] / errors[1] > 3.5,
+        "{errors:?}"
+    );
+}
+
+/// Solid angles add up: a white map is the function 1.
+#[test]
+fn white_map_is_one() {
+    for (width, height) in [(1, 1), (3, 2), (256, 128)] {
+        let got = project::equirectangular::<36>(width, height, |_, _| [1.0; 3]);
+        assert!((got.r[0] - ROOT_FOUR_PI).abs() < 1e-10);
+        assert!(got.r.0[1..].iter().all(|x| x.abs() < 1e-10));
+    }
+}
