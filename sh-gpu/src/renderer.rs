@@ -12,6 +12,10 @@ use wgpu::{
 
 /// One pass of the plan, with what it binds for every band.
 #[derive(Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a handful of these exist, in one vector"
+)]
 enum Stage {
     Gbuffer {
         pass: GbufferPass,

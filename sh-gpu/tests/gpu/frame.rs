@@ -1,0 +1,144 @@
+//! Whole frames.
+
+use crate::gpu::Gpu;
+use crate::scenes::{Numbers, standing_quad, view};
+use sh_gpu::Renderer;
+use sh_scene::{Plan, Scene, View};
+
+fn render(gpu: &Gpu, scene: &Scene, view: &View, max_samples: u32) -> Vec<[f32; 4]> {
+    let plan = Plan::new(scene);
+    let renderer =
+        Renderer::with_bands(&gpu.device, &gpu.queue, scene, &plan, view, max_samples).unwrap();
+    let light = Numbers(4).light(scene.settings.order);
+    renderer.prepare(&gpu.queue, scene, &light, view).unwrap();
+    gpu.submit(|encoder| renderer.record(encoder, None));
+    gpu.read(renderer.picture())
+}
+
+pub fn the_sky_is_the_environment_map(gpu: &Gpu) {
+    let mut scene = standing_quad();
+    (scene.ground, scene.objects) = (None, Vec::new());
+    scene.camera.fov = 2.6;
+    for target in [
+        glam::Vec3::ZERO,
+        glam::Vec3::new(1.1, 9.0, 5.2),
+        glam::Vec3::new(0.9, 1.4, 9.0),
+    ] {
+        scene.camera.target = target;
+        let view = view(&scene, 80, 60);
+        let picture = render(gpu, &scene, &view, 1 << 20);
+        for (i, found) in picture.iter().enumerate() {
+            let (x, y) = (i as u32 % 80 * 2, i as u32 / 80 * 2);
+            let mut sum = [0.0; 3];
+            for (x, y) in [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)] {
+                let sample = scene.environment.sample(view.ray(x, y));
+                sum = std::array::from_fn(|c| sum[c] + sample[c] / 4.0);
+            }
+            for c in 0..3 {
+                assert!(
+                    (found[c] - sum[c]).abs() < 2e-5,
+                    "pixel {i}: {found:?}, not {sum:?}"
+                );
+            }
+            assert_eq!(found[3], 0.0);
+        }
+    }
+}
+
+/// A picture whose height no band divides is the same in one band and in many.
+pub fn bands_leave_no_seam(gpu: &Gpu) {
+    let scene = standing_quad();
+    let view = view(&scene, 64, 85);
+    let (one, many) = (
+        render(gpu, &scene, &view, 1 << 20),
+        render(gpu, &scene, &view, 1),
+    );
+    assert_eq!(one.len(), 64 * 85);
+    let differ = one.iter().zip(&many).filter(|(a, b)| {
+        // Samples at an edge may fall to either side.
+        a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 1e-5)
+    });
+    assert!(differ.count() <= 2);
+    // The last row is a picture too, with ground in it.
+    assert!(
+        one[84 * 64..]
+            .iter()
+            .all(|pixel| pixel[3] == 1.0 && pixel[0] > 0.0)
+    );
+    assert_eq!(
+        many,
+        render(gpu, &scene, &view, 1),
+        "the same bits from run to run"
+    );
+}
+
+/// Numbers of everything a device holds, after a frame and after ten more.
+pub fn a_steady_frame_creates_nothing(gpu: &Gpu) {
+    let scene = standing_quad();
+    let view = view(&scene, 40, 85);
+    let plan = Plan::new(&scene);
+    let renderer = Renderer::with_bands(&gpu.device, &gpu.queue, &scene, &plan, &view, 1).unwrap();
+    let light = Numbers(4).light(4);
+    let frame = || {
+        renderer.prepare(&gpu.queue, &scene, &light, &view).unwrap();
+        gpu.submit(|encoder| renderer.record(encoder, None));
+    };
+    let held = || {
+        let hub = gpu.instance.generate_report().unwrap().hub;
+        [
+            ("bind group layouts", hub.bind_group_layouts.num_allocated),
+            ("bind groups", hub.bind_groups.num_allocated),
+            ("render pipelines", hub.render_pipelines.num_allocated),
+            ("compute pipelines", hub.compute_pipelines.num_allocated),
+            ("buffers", hub.buffers.num_allocated),
+            ("textures", hub.textures.num_allocated),
+            ("texture views", hub.texture_views.num_allocated),
+        ]
+    };
+    frame();
+    let before = held();
+    assert!(before.iter().all(|(_, count)| *count > 0), "{before:?}");
+    for _ in 0..10 {
+        frame();
+    }
+    assert_eq!(held(), before);
+}
+
+pub fn timestamps_tell_every_pass(gpu: &Gpu) {
+    if !gpu.timestamps {
+        println!("this adapter has no timestamps");
+        return;
+    }
+    let scene = standing_quad();
+    let view = view(&scene, 40, 85);
+    let plan = Plan::new(&scene);
+    let renderer = Renderer::with_bands(&gpu.device, &gpu.queue, &scene, &plan, &view, 1).unwrap();
+    let queries = gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
+        label: None,
+        ty: wgpu::QueryType::Timestamp,
+        count: renderer.timestamps(),
+    });
+    let resolved = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: u64::from(renderer.timestamps()) * 8,
+        usage: wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
+        mapped_at_creation: false,
+    });
+    renderer
+        .prepare(&gpu.queue, &scene, &Numbers(4).light(4), &view)
+        .unwrap();
+    gpu.submit(|encoder| {
+        renderer.record(encoder, Some(&queries));
+        encoder.resolve_query_set(&queries, 0..renderer.timestamps(), &resolved, 0);
+    });
+    let times = renderer.times(&gpu.read(&resolved), gpu.queue.get_timestamp_period());
+    let kinds: Vec<_> = times.iter().map(|(kind, _)| *kind).collect();
+    assert_eq!(
+        kinds,
+        plan.passes.iter().map(|pass| pass.kind).collect::<Vec<_>>()
+    );
+    assert!(
+        times.iter().all(|(_, time)| *time > 0.0 && *time < 1e10),
+        "{times:?}"
+    );
+}

@@ -1,0 +1,200 @@
+//! The passes as middleware: other people's buffers, and what does not fit.
+
+use crate::gpu::Gpu;
+use crate::scenes::{Numbers, standing_quad, view};
+use crate::shading::shadow;
+use sh_gpu::{
+    Bands, Bodies, Error, IrradiancePass, Renderer, ResolvePass, ShadowOptions, ShadowPass,
+};
+use sh_scene::{EnvironmentMap, Plan, Receiver, Scene, View};
+use wgpu::{BufferBinding, BufferSize, BufferUsages};
+
+fn part(buffer: &wgpu::Buffer, offset: u64, size: u64) -> BufferBinding<'_> {
+    BufferBinding {
+        buffer,
+        offset,
+        size: BufferSize::new(size),
+    }
+}
+
+/// A range in the middle of larger buffers is lit, and nothing around it is touched.
+pub fn offsets_and_sizes_are_respected(gpu: &Gpu) {
+    let mut numbers = Numbers(9);
+    let (receivers, spheres, light) = (
+        numbers.receivers(100),
+        numbers.spheres(70),
+        numbers.light(3),
+    );
+    let whole = shadow(gpu, &receivers, &spheres, &light);
+    let (input, output) = (gpu.buffer(&receivers), gpu.buffer(&[[-1.0_f32; 4]; 200]));
+    let options = ShadowOptions {
+        order: 3,
+        max_blockers: 100,
+    };
+    let pass = ShadowPass::new(&gpu.device, options).unwrap();
+    // Receivers 8 to 78, radiance from element 48 on.
+    let bound = pass
+        .bind(
+            &gpu.device,
+            part(&input, 256, 70 * 32),
+            part(&output, 768, 71 * 16),
+        )
+        .unwrap();
+    pass.prepare(&gpu.queue, &spheres, &light).unwrap();
+    gpu.submit(|encoder| pass.record(encoder, &bound, None));
+    let found: Vec<[f32; 4]> = gpu.read(&output);
+    assert_eq!(found[48..118], whole[8..78]);
+    assert!(
+        found[..48]
+            .iter()
+            .chain(&found[118..])
+            .all(|value| *value == [-1.0; 4])
+    );
+}
+
+/// More workgroups than one axis of a dispatch holds.
+pub fn large_dispatches_reach_the_last(gpu: &Gpu) {
+    let count = 65536 * 64_u64;
+    let pass = IrradiancePass::new(&gpu.device, 2).unwrap();
+    let (input, output) = (gpu.room(count * 32), gpu.room(count * 16));
+    let up = Receiver {
+        position: [0.0; 3],
+        covered: 1,
+        normal: [0.0, 1.0, 0.0],
+        object: 0,
+    };
+    for at in [0, 65535 * 64 - 1, 65535 * 64, count - 1] {
+        gpu.queue
+            .write_buffer(&input, at * 32, bytemuck::bytes_of(&up));
+    }
+    let bound = pass
+        .bind(
+            &gpu.device,
+            input.as_entire_buffer_binding(),
+            output.as_entire_buffer_binding(),
+        )
+        .unwrap();
+    pass.prepare(&gpu.queue, &Numbers(1).light(2)).unwrap();
+    gpu.submit(|encoder| pass.record(encoder, &bound, None));
+    let found: Vec<[f32; 4]> = gpu.read(&output);
+    let lit: Vec<usize> = (0..found.len()).filter(|&i| found[i][0] > 0.0).collect();
+    assert_eq!(lit, [0, 65535 * 64 - 1, 65535 * 64, count as usize - 1]);
+}
+
+fn says<T>(result: Result<T, Error>, expected: &str) {
+    let error = result.err().expect("this has to be refused").to_string();
+    assert!(
+        error.contains(expected),
+        "`{error}` does not say `{expected}`"
+    );
+}
+
+pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
+    let device = &gpu.device;
+    for order in [0, 1, 7] {
+        says(IrradiancePass::new(device, order), "orders 2 to 6");
+    }
+    let huge = ShadowOptions {
+        order: 4,
+        max_blockers: u32::MAX,
+    };
+    says(
+        ShadowPass::new(device, huge),
+        "max_storage_buffer_binding_size",
+    );
+
+    let mut numbers = Numbers(2);
+    let pass = ShadowPass::new(
+        device,
+        ShadowOptions {
+            order: 4,
+            max_blockers: 3,
+        },
+    )
+    .unwrap();
+    says(
+        pass.prepare(&gpu.queue, &numbers.spheres(4), &numbers.light(4)),
+        "4 blocker spheres do not fit the 3",
+    );
+    says(
+        pass.prepare(&gpu.queue, &[], &numbers.light(3)),
+        "the light has order 3",
+    );
+    let mut short = numbers.light(4);
+    short.coefficients.pop();
+    says(pass.prepare(&gpu.queue, &[], &short), "15 coefficients");
+
+    let (input, output) = (gpu.room(3200), gpu.room(1600));
+    says(
+        pass.bind(device, part(&input, 0, 3200), part(&output, 0, 1584)),
+        "`radiance` holds 99",
+    );
+    says(
+        pass.bind(device, part(&input, 0, 3201), part(&output, 0, 1600)),
+        "only 3200",
+    );
+    says(
+        pass.bind(device, part(&input, 0, 100), part(&output, 0, 1600)),
+        "multiple of 32",
+    );
+    says(
+        pass.bind(device, part(&input, 32, 320), part(&output, 0, 1600)),
+        "multiple of 256",
+    );
+    let uniform = device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: 1600,
+        usage: BufferUsages::UNIFORM,
+        mapped_at_creation: false,
+    });
+    says(
+        pass.bind(device, part(&input, 0, 320), part(&uniform, 0, 160)),
+        "BufferUsages::STORAGE",
+    );
+
+    says(Bands::new(device, 0, 10, 1000), "is empty");
+    says(
+        Bands::new(device, 5000, 10, 1000),
+        "max_texture_dimension_2d",
+    );
+    says(Bands::new(device, 4000, 40000, 1000), "max_buffer_size");
+
+    let mut scene = standing_quad();
+    let small = view(&scene, 16, 16);
+    let renderer = Renderer::new(device, &gpu.queue, &scene, &Plan::new(&scene), &small).unwrap();
+    let light = numbers.light(4);
+    let prepare = |scene: &Scene, view: &View| renderer.prepare(&gpu.queue, scene, &light, view);
+    says(prepare(&scene, &view(&scene, 16, 17)), "another size");
+    scene.camera.target = scene.camera.eye;
+    says(prepare(&scene, &view(&scene, 16, 16)), "no direction");
+    scene.camera.target.x += 1.0;
+    scene.objects.push(scene.objects[0].clone());
+    says(prepare(&scene, &view(&scene, 16, 16)), "2 objects");
+    scene.objects[1].mesh.triangles[0][1] = 4;
+    says(
+        Bodies::new(device, &gpu.queue, &scene),
+        "object 1 (`quad`) has a triangle with vertex 4",
+    );
+    scene.objects[1].mesh.normals.pop();
+    says(
+        Bodies::new(device, &gpu.queue, &scene),
+        "3 normals for 4 vertices",
+    );
+
+    let bands = Bands::new(device, 16, 16, 1000).unwrap();
+    let map = EnvironmentMap {
+        width: 2,
+        height: 2,
+        pixels: vec![[0.0; 3]; 3],
+    };
+    says(
+        ResolvePass::new(device, &gpu.queue, &bands, &map),
+        "2 by 2 texels brings 3",
+    );
+    let map = EnvironmentMap {
+        width: 9000,
+        height: 1,
+        pixels: vec![[0.0; 3]; 9000],
+    };
+    says(ResolvePass::new(device, &gpu.queue, &bands, &map), "9000");
+}

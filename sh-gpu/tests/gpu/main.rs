@@ -1,0 +1,108 @@
+//! What needs a GPU. Without an adapter every test shows as ignored, never as passed; with
+//! `GAUNT_REQUIRE_GPU=1` a missing adapter is a failure.
+
+mod frame;
+mod gbuffer;
+mod gpu;
+mod host;
+mod scenes;
+mod shading;
+mod truth;
+
+use gpu::Gpu;
+use libtest_mimic::{Arguments, Failed, Trial};
+use std::sync::Arc;
+
+/// A name and what it runs.
+type Test = (&'static str, fn(&Gpu));
+
+const TESTS: &[Test] = &[
+    (
+        "shading::shadow_is_that_of_f64",
+        shading::shadow_is_that_of_f64,
+    ),
+    (
+        "shading::irradiance_is_that_of_f64",
+        shading::irradiance_is_that_of_f64,
+    ),
+    (
+        "shading::crowds_of_blockers_stay_bounded",
+        shading::crowds_of_blockers_stay_bounded,
+    ),
+    (
+        "shading::walking_across_a_blocker_never_jumps",
+        shading::walking_across_a_blocker_never_jumps,
+    ),
+    (
+        "host::offsets_and_sizes_are_respected",
+        host::offsets_and_sizes_are_respected,
+    ),
+    (
+        "host::large_dispatches_reach_the_last",
+        host::large_dispatches_reach_the_last,
+    ),
+    (
+        "host::what_does_not_fit_is_an_error",
+        host::what_does_not_fit_is_an_error,
+    ),
+    (
+        "gbuffer::samples_are_where_rays_meet_surfaces",
+        gbuffer::samples_are_where_rays_meet_surfaces,
+    ),
+    (
+        "gbuffer::normals_turn_to_the_viewer",
+        gbuffer::normals_turn_to_the_viewer,
+    ),
+    (
+        "gbuffer::textures_are_bilinear_and_repeat",
+        gbuffer::textures_are_bilinear_and_repeat,
+    ),
+    (
+        "frame::the_sky_is_the_environment_map",
+        frame::the_sky_is_the_environment_map,
+    ),
+    ("frame::bands_leave_no_seam", frame::bands_leave_no_seam),
+    (
+        "frame::a_steady_frame_creates_nothing",
+        frame::a_steady_frame_creates_nothing,
+    ),
+    (
+        "frame::timestamps_tell_every_pass",
+        frame::timestamps_tell_every_pass,
+    ),
+];
+
+fn main() {
+    // One at a time: what the device holds and complains of is counted for each test.
+    let arguments = Arguments {
+        test_threads: Some(1),
+        ..Arguments::from_args()
+    };
+    let required = std::env::var_os("GAUNT_REQUIRE_GPU").is_some_and(|value| value != "0");
+    let trials = match Gpu::new() {
+        Ok(gpu) => {
+            let gpu = Arc::new(gpu);
+            let trial = |&(name, test): &Test| {
+                let gpu = gpu.clone();
+                Trial::test(name, move || {
+                    test(&gpu);
+                    gpu.errors()
+                })
+            };
+            TESTS.iter().map(trial).collect()
+        }
+        Err(reason) => {
+            let trial = |&(name, _): &Test| {
+                let reason = reason.clone();
+                Trial::test(name, move || Err(Failed::from(reason)))
+                    .with_kind("no GPU")
+                    .with_ignored_flag(!required)
+            };
+            if !required {
+                eprintln!("ignoring all GPU tests: {reason}");
+            }
+            TESTS.iter().map(trial).collect()
+        }
+    };
+    libtest_mimic::run(&arguments, trials).exit();
+}

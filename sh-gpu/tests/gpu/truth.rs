@@ -1,0 +1,69 @@
+//! What the shading kernels compute, in f64: obvious rather than fast.
+
+use sh_core::{Routines, exp};
+use sh_scene::{Light, Receiver, Sphere};
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Centre relative to the receiver, and radius, of the sphere that counts.
+pub fn replaced(receiver: &Receiver, sphere: &Sphere) -> Option<([f64; 3], f64)> {
+    let normal = receiver.normal.map(f64::from);
+    let center: [f64; 3] =
+        std::array::from_fn(|i| f64::from(sphere.center[i]) - f64::from(receiver.position[i]));
+    let (r, c) = (f64::from(sphere.radius), dot(center, normal));
+    if c >= r {
+        return Some((center, r));
+    }
+    if c <= -r {
+        return None;
+    }
+    let foot: [f64; 3] = std::array::from_fn(|i| center[i] - c * normal[i]);
+    let d = (r * r - c * c).sqrt();
+    let a = ((dot(foot, foot).sqrt() - d) / d).clamp(0.0, 1.0);
+    let radius = (1.0 - a) * c.max(0.0) + a * (r + c) / 2.0;
+    Some((
+        std::array::from_fn(|i| foot[i] + radius * normal[i]),
+        radius,
+    ))
+}
+
+/// Radiance of albedo 1 under blockers.
+pub fn shadow<const C: usize>(receiver: &Receiver, spheres: &[Sphere], light: &Light) -> [f64; 3]
+where
+    [f64; C]: Routines<f64>,
+{
+    let mut f = [0.0; C];
+    for (center, radius) in spheres.iter().filter_map(|s| replaced(receiver, s)) {
+        let distance = dot(center, center).sqrt();
+        if radius > 0.0 && distance > 0.0 {
+            let sine = (radius / distance).min(1.0);
+            let log = <[f64; C]>::cap_log(sine, (1.0 - sine * sine).max(0.0).sqrt());
+            let turned = <[f64; C]>::zonal(log, center.map(|x| x / distance));
+            f = std::array::from_fn(|i| f[i] + turned[i]);
+        }
+    }
+    let lobe = <[f64; C]>::cosine(receiver.normal.map(f64::from));
+    let shadowed = channels(&exp::ps_star(&f, 2).product(&lobe), light);
+    let open = channels(&lobe, light);
+    std::array::from_fn(|i| shadowed[i].clamp(0.0, open[i].max(0.0)))
+}
+
+/// Radiance of albedo 1 without blockers.
+pub fn irradiance<const C: usize>(receiver: &Receiver, light: &Light) -> [f64; 3]
+where
+    [f64; C]: Routines<f64>,
+{
+    channels(&<[f64; C]>::cosine(receiver.normal.map(f64::from)), light).map(|x| x.max(0.0))
+}
+
+fn channels(transfer: &[f64], light: &Light) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for (t, l) in transfer.iter().zip(&light.coefficients) {
+        for i in 0..3 {
+            sum[i] += t * f64::from(l[i]);
+        }
+    }
+    sum
+}

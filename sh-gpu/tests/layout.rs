@@ -1,0 +1,98 @@
+//! The records of the kernels and those of Rust have the same layout, as naga lays WGSL out.
+
+use naga::proc::Layouter;
+use sh_gpu::records::{Band, Body, Lighting};
+use sh_kernels::{MAX_ORDER, MIN_ORDER, Pass, source};
+use sh_scene::{Receiver, Sphere};
+use std::mem::offset_of;
+
+/// Size and member offsets of a struct in a kernel.
+fn wgsl(pass: Pass, order: usize, name: &str) -> (u32, Vec<(String, u32)>) {
+    let module = naga::front::wgsl::parse_str(source(pass, order).unwrap()).unwrap();
+    let mut layouter = Layouter::default();
+    layouter.update(module.to_ctx()).unwrap();
+    let (handle, ty) = module
+        .types
+        .iter()
+        .find(|(_, ty)| ty.name.as_deref() == Some(name))
+        .unwrap_or_else(|| panic!("{} has no struct {name}", pass.name()));
+    let naga::TypeInner::Struct { members, .. } = &ty.inner else {
+        panic!("{name} is no struct");
+    };
+    let offsets = members
+        .iter()
+        .map(|m| (m.name.clone().unwrap(), m.offset))
+        .collect();
+    (layouter[handle].size, offsets)
+}
+
+macro_rules! same_layout {
+    ($pass:expr, $order:expr, $type:ident { $($field:ident),* }) => {
+        let rust = vec![$((stringify!($field).to_string(), offset_of!($type, $field) as u32)),*];
+        let (size, fields) = wgsl($pass, $order, stringify!($type));
+        assert_eq!(fields, rust, "{} of {:?} at order {}", stringify!($type), $pass, $order);
+        assert_eq!(size, size_of::<$type>() as u32, "{} of {:?}", stringify!($type), $pass);
+    };
+}
+
+#[test]
+fn records_are_laid_out_alike() {
+    for order in MIN_ORDER..=MAX_ORDER {
+        for pass in Pass::ALL {
+            same_layout!(
+                pass,
+                order,
+                Receiver {
+                    position,
+                    covered,
+                    normal,
+                    object
+                }
+            );
+        }
+        for pass in [Pass::Irradiance, Pass::Shadow] {
+            same_layout!(
+                pass,
+                order,
+                Lighting {
+                    blockers,
+                    coefficients
+                }
+            );
+        }
+        same_layout!(Pass::Shadow, order, Sphere { center, radius });
+    }
+}
+
+#[test]
+fn camera_and_body_are_laid_out_alike() {
+    for pass in [Pass::Gbuffer, Pass::Resolve] {
+        same_layout!(
+            pass,
+            MIN_ORDER,
+            Band {
+                clip_from_world,
+                eye,
+                near,
+                right,
+                first_row,
+                up,
+                rows,
+                forward,
+                ground,
+                grid,
+                ground_height,
+                ground_albedo
+            }
+        );
+    }
+    same_layout!(
+        Pass::Gbuffer,
+        MIN_ORDER,
+        Body {
+            world_from_object,
+            albedo,
+            object
+        }
+    );
+}
