@@ -92,7 +92,9 @@ pub(crate) fn rule_at(level: usize) -> Vec<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::directions;
+    use crate::basis::basis;
+    use crate::quadrature::accumulate;
+    use crate::testing::{assert_close, directions};
     use std::f64::consts::PI;
 
     #[test]
@@ -126,6 +128,21 @@ mod tests {
             assert!((by_nodes - cell.solid_angle()).abs() < 1e-14);
             let of_parts: f64 = cell.split().iter().map(Cell::solid_angle).sum();
             assert!((of_parts - cell.solid_angle()).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn rules_are_fine_enough_at_every_level() {
+        let mut cell = Cell::grid(4).nth(21).unwrap();
+        let fine = gauss_legendre(16, -1.0, 1.0);
+        for level in 0..10 {
+            let [found, truth] = [&rule_at(level), &fine].map(|rule| {
+                let mut sum = vec![0.0; 144];
+                cell.each_node(rule, |s, k| accumulate(&mut sum, k, &basis(12, s)));
+                sum
+            });
+            assert_close(&found, &truth, 1e-11 * cell.solid_angle());
+            cell = cell.split()[level % 4];
         }
     }
 }

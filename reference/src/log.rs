@@ -178,6 +178,31 @@ mod tests {
     }
 
     #[test]
+    fn order_two_has_a_closed_form_clipped_or_not() {
+        // For g = (g₀, 0, g₂, 0), M_g has eigenvalues (g₀ ± g₂)/√4π on (1, 0, ±1, 0)/√2.
+        let root = (4.0 * std::f64::consts::PI).sqrt();
+        // At 0.3 nothing is clipped at any fraction tried, at 1.99 and 2.5 (a negative value) the lower is.
+        for (g2, clip) in [(0.3, CLIP), (1.99, CLIP), (1.99, 0.1), (2.5, CLIP)] {
+            let upper = (2.0 + g2) / root;
+            let lower = ((2.0 - g2) / root).max(clip * upper);
+            let (plus, minus) = (2.0 - root + g2, 2.0 - root - g2);
+            let (plus, minus) = (quotient(upper) * plus, quotient(lower) * minus);
+            let expected = [0.5 * (plus + minus), 0.0, 0.5 * (plus - minus), 0.0];
+            assert_close(
+                &eigen(&[2.0, 0.0, g2, 0.0], clip).unwrap(),
+                &expected,
+                1e-12,
+            );
+            let spectrum = spectrum(&[2.0, 0.0, g2, 0.0]);
+            assert_close(
+                &[spectrum[0], spectrum[3]],
+                &[(2.0 - g2) / root, upper],
+                1e-14,
+            );
+        }
+    }
+
+    #[test]
     fn no_logarithm_of_what_is_not_positive() {
         let minus: Vec<f64> = one(3).iter().map(|c| -c).collect();
         assert_eq!(eigen(&minus, CLIP), None);

@@ -252,6 +252,9 @@ mod tests {
         let floor = [[-9.0, 0.0, -9.0], [9.0, 0.0, -9.0], [0.0, 0.0, 9.0]];
         let caster = Caster::new(vec![floor]);
         assert!(!caster.blocked([0.0; 3], [0.0, 1.0, 0.0], 1e-6));
+        // From a point that rounding put below its surface.
+        assert!(caster.blocked([0.0, -1e-7, 0.0], [0.0, 1.0, 0.0], 0.0));
+        assert!(!caster.blocked([0.0, -1e-7, 0.0], [0.0, 1.0, 0.0], 1e-6));
         let white = sampled::irradiance(
             [0.0, 1.0, 0.0],
             4000,
