@@ -17,6 +17,7 @@ use crate::exact::gaunt;
 use crate::expr::{Graph, Value};
 use crate::real::Real;
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 /// A unique coefficient with its value.
 #[derive(Clone, Copy, Debug)]
@@ -27,8 +28,14 @@ pub struct Triple {
     pub value: f64,
 }
 
-/// All nonzero unique coefficients of an order, in ascending order of indices.
-pub fn triples(order: usize) -> Vec<Triple> {
+/// All nonzero unique coefficients of an order, in ascending order of indices. Computed once: most routines
+/// need them, and build scripts run unoptimised.
+pub fn triples(order: usize) -> &'static [Triple] {
+    static TRIPLES: [OnceLock<Vec<Triple>>; 16] = [const { OnceLock::new() }; 16];
+    TRIPLES[order].get_or_init(|| compute(order))
+}
+
+fn compute(order: usize) -> Vec<Triple> {
     let c = order * order;
     let root_pi = Real::PI.sqrt();
     let mut out = Vec::new();
@@ -127,7 +134,7 @@ pub fn product(g: &mut Graph, order: usize, a: &[Value], b: &[Value]) -> Vec<Val
     for Pair {
         factors: [j, k],
         thirds,
-    } in cover(&triples(order))
+    } in cover(triples(order))
     {
         let weighted = |g: &mut Graph, x: &[Value]| {
             let terms: Vec<_> = thirds.iter().filter(|t| j != k || t.0 != j).collect();
@@ -166,7 +173,7 @@ pub fn square(g: &mut Graph, order: usize, a: &[Value]) -> Vec<Value> {
     for Pair {
         factors: [j, k],
         thirds,
-    } in cover(&triples(order))
+    } in cover(triples(order))
     {
         // tf is needed doubled only (h_j += 2 tf f_k), t as 2 f_j f_k: double the constants instead.
         let terms: Vec<_> = thirds.iter().filter(|t| j != k || t.0 != j).collect();
@@ -194,7 +201,7 @@ pub fn square(g: &mut Graph, order: usize, a: &[Value]) -> Vec<Value> {
 pub fn matrix(g: &mut Graph, order: usize, a: &[Value]) -> Vec<Value> {
     let c = order * order;
     let mut out = Sums(vec![None; c * (c + 1) / 2]);
-    for Triple {
+    for &Triple {
         index: [i, j, k],
         value,
     } in triples(order)
