@@ -72,6 +72,14 @@ pub enum Error {
         /// The pass that is missing.
         missing: &'static str,
     },
+    /// A plan whose passes read what is not there yet.
+    #[error(
+        "the plan's passes are out of order: gbuffer comes first, then irradiance or shadow, then resolve"
+    )]
+    PlanOrder,
+    /// Settings that give no light.
+    #[error(transparent)]
+    Light(#[from] sh_scene::LightError),
 }
 
 /// Largest width and height of a picture, in pixels.

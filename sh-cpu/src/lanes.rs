@@ -1,6 +1,6 @@
-//! Vector lanes: 8 or 16 `f32` side by side, for the generated routines.
+//! Vector lanes: 4, 8 or 16 `f32` side by side, for the generated routines.
 //!
-//! [`Lanes8`] and [`Lanes16`] wrap the vectors of `fearless_simd`. Which instructions they become is
+//! [`Lanes4`], [`Lanes8`] and [`Lanes16`] wrap the vectors of `fearless_simd`. Which instructions they become is
 //! decided by the level `S` that they carry (SSE2 to AVX-512, Neon, wasm), and everything here is
 //! `#[inline(always)]`: code written against [`Lane`] turns into those instructions when, and only when,
 //! it is inlined into a function that `fearless_simd::dispatch!` has entered.
@@ -14,7 +14,9 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x8, f32x16, i32x8, i32x16, mask32x8, mask32x16};
+use fearless_simd::{
+    Simd, f32x4, f32x8, f32x16, i32x4, i32x8, i32x16, mask32x4, mask32x8, mask32x16,
+};
 use sh_core::Lane;
 
 /// Limits beyond which e^x is 0 or infinity in `f32`: e^-104 < 2^-150, e^89 > 2^128.
@@ -189,6 +191,41 @@ vector_lane! {
 }
 
 vector_lane! {
+    /// 4 numbers side by side, as [`Lanes8`]: one register of SSE2, Neon or wasm.
+    Lanes4, 4, f32x4, i32x4, mask32x4
+}
+
+vector_lane! {
     /// 16 numbers side by side, as [`Lanes8`].
     Lanes16, 16, f32x16, i32x16, mask32x16
+}
+
+impl<S: Simd> Lanes8<S> {
+    /// Lanes 0 to 3 and 4 to 7.
+    #[inline(always)]
+    pub fn split(self) -> (Lanes4<S>, Lanes4<S>) {
+        let (low, high) = self.0.split();
+        (Lanes4(low), Lanes4(high))
+    }
+
+    /// The opposite of [`Lanes8::split`].
+    #[inline(always)]
+    pub fn join(low: Lanes4<S>, high: Lanes4<S>) -> Self {
+        Self(low.0.combine(high.0))
+    }
+}
+
+impl<S: Simd> Lanes16<S> {
+    /// Lanes 0 to 7 and 8 to 15.
+    #[inline(always)]
+    pub fn split(self) -> (Lanes8<S>, Lanes8<S>) {
+        let (low, high) = self.0.split();
+        (Lanes8(low), Lanes8(high))
+    }
+
+    /// The opposite of [`Lanes16::split`].
+    #[inline(always)]
+    pub fn join(low: Lanes8<S>, high: Lanes8<S>) -> Self {
+        Self(low.0.combine(high.0))
+    }
 }

@@ -1,13 +1,51 @@
-//! (under construction)
+//! The passes on the CPU: vector lanes over receivers, threads over chunks of them.
+//!
+//! | pass | function | reads | writes |
+//! |---|---|---|---|
+//! | `gbuffer` | [`gbuffer()`] | [`Geometry`], a view | receivers and albedo of a band of sample rows |
+//! | `irradiance` | [`irradiance()`] | receivers, light | radiance |
+//! | `shadow` | [`shadow()`] | receivers, blocker spheres, light | radiance |
+//! | `resolve` | [`resolve()`] | all of them | pixels |
+//!
+//! [`render`] strings a plan together and makes a picture. Each pass can be called by itself: receivers may as
+//! well be the vertices of a mesh.
+//!
+//! Lanes ([`lanes`]) are chosen when the program runs ([`Path::best`]). Work goes to the current rayon pool.
+//! The same input gives the same bits on one processor, whatever the number of threads; different
+//! instruction sets agree within rounding.
+//!
+//! ```
+//! use sh_scene::{EnvironmentMap, Light, Receiver, Sphere};
+//! let light = Light::project(&EnvironmentMap::constant([1.0; 3]), None, 4, 8.0)?;
+//! let blocker = Sphere { center: [0.0, 2.0, 0.0], radius: 1.0 };
+//! let below = Receiver { position: [0.0; 3], covered: 1, normal: [0.0, 1.0, 0.0], object: 0 };
+//! let aside = Receiver { position: [9.0, 0.0, 0.0], ..below };
+//! let mut radiance = [[0.0; 3]; 2];
+//! sh_cpu::shadow(&[below, aside], &[blocker], &light, &mut radiance)?;
+//! assert!(radiance[0][0] < 0.85 && radiance[1][0] > 0.98);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod drive;
 mod error;
+mod exponential;
+mod frame;
 mod gbuffer;
 mod geometry;
+mod irradiance;
 pub mod lanes;
+mod outline;
 mod resolve;
+mod shadow;
 mod texture;
 mod width;
+
 pub use error::{Error, MAX_SIDE};
+pub use frame::{Frame, render};
 pub use gbuffer::{Gbuffer, gbuffer};
 pub use geometry::{Geometry, Hit};
+pub use irradiance::{irradiance, irradiance_on};
+pub use outline::Outline;
 pub use resolve::resolve;
+pub use shadow::{shade, shadow, shadow_on};
 pub use width::{Path, Width, levels};

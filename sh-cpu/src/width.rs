@@ -9,25 +9,15 @@ pub enum Width {
     One,
     /// Eight: [`crate::lanes::Lanes8`].
     Eight,
-    /// Sixteen: [`crate::lanes::Lanes16`].
+    /// Sixteen: [`crate::lanes::Lanes16`]; eight where registers hold four.
     Sixteen,
-}
-
-impl Width {
-    /// Receivers side by side.
-    pub const fn count(self) -> usize {
-        match self {
-            Self::One => 1,
-            Self::Eight => 8,
-            Self::Sixteen => 16,
-        }
-    }
 }
 
 /// A vector path: the instruction set and the number of lanes.
 ///
 /// [`Path::best`] is what the passes take by themselves; any other choice is for tests and benchmarks.
-/// Results of different paths agree within rounding and are not the same bits.
+/// Results of different paths agree within rounding and are not the same bits. On x86 a pass is compiled
+/// for SSE2 (8 lanes), AVX2 (8 and 16) and AVX-512 (16); a level between two of them runs as the lower.
 #[derive(Clone, Copy, Debug)]
 pub struct Path {
     /// The instructions to use; the processor is known to have them.
@@ -38,14 +28,14 @@ pub struct Path {
 
 impl Path {
     /// The fastest path on this processor: one native register a value, so 16 lanes with AVX-512 and 8
-    /// elsewhere. (16 lanes in pairs of 8 spill twice as much and were measured slower.)
+    /// elsewhere.
     pub fn best() -> Self {
         let level = Level::new();
-        let width = if is_avx512(level) {
-            Width::Sixteen
-        } else {
-            Width::Eight
-        };
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        let wide = level.as_avx512().is_some();
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        let wide = false;
+        let width = if wide { Width::Sixteen } else { Width::Eight };
         Self { level, width }
     }
 
@@ -86,14 +76,4 @@ pub fn levels() -> Vec<Level> {
         }
     }
     vec![best]
-}
-
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-fn is_avx512(level: Level) -> bool {
-    level.as_avx512().is_some()
-}
-
-#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-fn is_avx512(_: Level) -> bool {
-    false
 }

@@ -1,0 +1,85 @@
+//! The irradiance pass: environment light that nothing blocks.
+
+use crate::drive::{Kernel, drive};
+use crate::outline::Outline;
+use crate::{Error, Path};
+use sh_core::{Lane, Routines};
+use sh_scene::{Light, Receiver};
+
+/// Writes the radiance that albedo 1 reflects at every receiver under `light` alone: for each channel
+/// max(0, L · H(N)), with the cosine lobe H of Ramamoorthi and Hanrahan 2001 and its 1/π. Receivers that are
+/// not covered get 0.
+///
+/// ```
+/// use sh_scene::{Light, Receiver};
+/// // A sky of radiance 1 from everywhere: only the constant coefficient, √(4π).
+/// let mut light = Light { order: 2, coefficients: vec![[0.0; 3]; 4] };
+/// light.coefficients[0] = [12.566_371_f32.sqrt(); 3];
+/// let receiver = Receiver { position: [0.0; 3], covered: 1, normal: [0.0, 1.0, 0.0], object: 0 };
+/// let mut radiance = [[0.0; 3]];
+/// sh_cpu::irradiance(&[receiver], &light, &mut radiance)?;
+/// assert!((radiance[0][0] - 1.0).abs() < 1e-6);
+/// # Ok::<(), sh_cpu::Error>(())
+/// ```
+pub fn irradiance(
+    receivers: &[Receiver],
+    light: &Light,
+    radiance: &mut [[f32; 3]],
+) -> Result<(), Error> {
+    irradiance_on(Path::best(), receivers, light, radiance)
+}
+
+/// [`irradiance`] on a vector path of the caller's choice.
+pub fn irradiance_on(
+    path: Path,
+    receivers: &[Receiver],
+    light: &Light,
+    radiance: &mut [[f32; 3]],
+) -> Result<(), Error> {
+    drive(
+        path,
+        receivers,
+        light,
+        radiance,
+        &Unblocked {
+            light: &light.coefficients,
+        },
+    )
+}
+
+struct Unblocked<'a> {
+    light: &'a [[f32; 3]],
+}
+
+impl Kernel for Unblocked<'_> {
+    #[inline(always)]
+    fn shade<L: Outline<C>, const C: usize>(&self, _: [L; 3], normal: [L; 3]) -> [L; 3]
+    where
+        [L; C]: Routines<L>,
+    {
+        unblocked::<L, C>(normal, self.light)
+    }
+}
+
+/// max(0, L_c · H(N)) for the three channels.
+#[inline(always)]
+pub(crate) fn unblocked<L: Lane, const C: usize>(normal: [L; 3], light: &[[f32; 3]]) -> [L; 3]
+where
+    [L; C]: Routines<L>,
+{
+    let zero = normal[0].lift(0.0);
+    light_dot::<L, C>(&<[L; C]>::cosine(normal), light).map(|x| x.max(zero))
+}
+
+/// The light's three channels dotted with an SH vector.
+#[inline(always)]
+pub(crate) fn light_dot<L: Lane, const C: usize>(f: &[L; C], light: &[[f32; 3]]) -> [L; 3] {
+    let zero = f[0].lift(0.0);
+    let mut sum = [zero; 3];
+    for (coefficient, light) in f.iter().zip(light) {
+        for (sum, &light) in sum.iter_mut().zip(light) {
+            *sum = coefficient.mul_add(zero.lift(f64::from(light)), *sum);
+        }
+    }
+    sum
+}

@@ -1,0 +1,177 @@
+//! Whole pictures.
+
+mod common;
+
+use common::{object, scene, sphere_mesh};
+use glam::{Affine3A, Vec3, vec3};
+use sh_cpu::{Error, Frame, render};
+use sh_scene::{EnvironmentMap, Ground, PassKind, Plan, Scene};
+use std::sync::Mutex;
+
+/// A ball on the ground under an even sky.
+fn ball() -> Scene {
+    let body = object(sphere_mesh(1.0, 24), Affine3A::from_translation(Vec3::Y));
+    let mut scene = scene(vec![body]);
+    scene.ground = Some(Ground {
+        height: 0.0,
+        albedo: [0.5; 3],
+    });
+    scene.camera.eye = vec3(0.0, 3.0, 6.0);
+    scene.camera.target = vec3(0.0, 0.7, 0.0);
+    scene
+}
+
+fn picture(scene: &Scene, plan: &Plan) -> Frame {
+    render(scene, plan, (64, 48), &|_| ()).unwrap()
+}
+
+#[test]
+fn a_ball_casts_a_shadow_on_the_ground() {
+    let mut scene = ball();
+    let shadowed = picture(&scene, &Plan::new(&scene));
+    scene.settings.shadows = false;
+    let open = picture(&scene, &Plan::new(&scene));
+    assert_eq!(
+        (shadowed.width, shadowed.height, shadowed.pixels.len()),
+        (64, 48, 64 * 48)
+    );
+    let names = |frame: &Frame| frame.stages.iter().map(|s| s.0).collect::<Vec<_>>();
+    assert_eq!(
+        names(&shadowed),
+        ["hierarchy", "light", "gbuffer", "shadow", "resolve"]
+    );
+    assert_eq!(
+        names(&open),
+        ["hierarchy", "light", "gbuffer", "irradiance", "resolve"]
+    );
+
+    let at = |frame: &Frame, x: usize, y: usize| frame.pixels[y * 64 + x][1];
+    // Below the ball, where it meets the ground.
+    let contact = (32, 36);
+    assert!(at(&open, 32, 47) > 0.45);
+    let (dark, bright) = (
+        at(&shadowed, contact.0, contact.1),
+        at(&open, contact.0, contact.1),
+    );
+    assert!(dark < 0.6 * bright, "{dark} of {bright}");
+    // Far away on the ground the shadow fades.
+    let (far, open_far) = (at(&shadowed, 1, 12), at(&open, 1, 12));
+    assert!((far - open_far).abs() < 0.05 * open_far, "{far} {open_far}");
+    for (shadowed, open) in shadowed
+        .pixels
+        .iter()
+        .flatten()
+        .zip(open.pixels.iter().flatten())
+    {
+        assert!(*shadowed >= 0.0 && *shadowed <= open * 1.000_1 && open.is_finite());
+    }
+}
+
+#[test]
+fn the_number_of_threads_changes_no_pixel() {
+    let scene = ball();
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        pool.install(|| picture(&scene, &Plan::new(&scene))).pixels
+    };
+    assert!(on(1) == on(2));
+}
+
+#[test]
+fn the_sky_shows_the_environment_along_the_view() {
+    let mut scene = scene(vec![]);
+    let pixels = (0..64 * 32)
+        .map(|i| [(i % 64) as f32, (i / 64) as f32, 1.0])
+        .collect();
+    scene.environment = EnvironmentMap {
+        width: 64,
+        height: 32,
+        pixels,
+    };
+    scene.camera.eye = Vec3::ZERO;
+    scene.camera.target = Vec3::X;
+    scene.camera.fov = 0.1;
+    let frame = render(&scene, &Plan::new(&scene), (2, 2), &|_| ()).unwrap();
+    // +X is at u = 3/4, v = 1/2: between the texels 47 and 48 across, 15 and 16 down. To the right of it the
+    // view turns towards +Z, larger u; upwards v falls.
+    let [a, b, c, d] = [0, 1, 2, 3].map(|i| frame.pixels[i]);
+    let mean: f32 = (a[0] + b[0] + c[0] + d[0]) / 4.0;
+    assert!((mean - 47.5).abs() < 1e-3, "{mean}");
+    assert!(
+        b[0] > a[0] && d[0] > c[0] && a[1] < c[1] && b[1] < d[1],
+        "{:?}",
+        frame.pixels
+    );
+    assert!(frame.pixels.iter().all(|p| (p[2] - 1.0).abs() < 1e-6));
+}
+
+#[test]
+fn progress_rises_to_one() {
+    let scene = ball();
+    let seen = Mutex::new(Vec::new());
+    render(&scene, &Plan::new(&scene), (16, 37), &|part| {
+        seen.lock().unwrap().push(part)
+    })
+    .unwrap();
+    let seen = seen.into_inner().unwrap();
+    assert!(
+        seen.len() > 1 && seen.windows(2).all(|w| w[0] < w[1]),
+        "{seen:?}"
+    );
+    assert_eq!(seen.last(), Some(&1.0));
+}
+
+#[test]
+fn plans_that_make_no_picture_are_refused() {
+    let scene = ball();
+    let full = Plan::new(&scene);
+    let refused = |plan: &Plan| render(&scene, plan, (8, 8), &|_| ()).unwrap_err();
+    for (kind, missing) in [
+        (PassKind::Gbuffer, "gbuffer"),
+        (PassKind::Shadow, "irradiance or shadow"),
+        (PassKind::Resolve, "resolve"),
+    ] {
+        let mut plan = full.clone();
+        plan.passes.retain(|pass| pass.kind != kind);
+        assert_eq!(refused(&plan), Error::Plan { missing });
+    }
+    let mut plan = full.clone();
+    plan.passes.reverse();
+    assert_eq!(refused(&plan), Error::PlanOrder);
+}
+
+#[test]
+fn settings_and_maps_that_do_not_work_are_refused() {
+    let good = ball();
+    let refused = |change: fn(&mut Scene)| {
+        let mut scene = ball();
+        change(&mut scene);
+        render(&scene, &Plan::new(&good), (8, 8), &|_| ()).unwrap_err()
+    };
+    assert!(matches!(refused(|s| s.settings.order = 7), Error::Light(_)));
+    assert!(matches!(
+        refused(|s| s.settings.window = 0.0),
+        Error::Light(_)
+    ));
+    assert!(matches!(
+        refused(|s| {
+            s.environment.pixels.pop();
+        }),
+        Error::Environment { .. }
+    ));
+    assert!(matches!(
+        refused(|s| s.camera.fov = 4.0),
+        Error::Camera { .. }
+    ));
+    let none = render(&good, &Plan::new(&good), (0, 8), &|_| ()).unwrap_err();
+    assert_eq!(
+        none,
+        Error::Size {
+            width: 0,
+            height: 8
+        }
+    );
+}

@@ -1,0 +1,302 @@
+//! The shadow pass: against its own text in f64, at its edges, and in its bounds.
+
+mod common;
+
+use common::{Random, receiver};
+use glam::{Vec3, vec3};
+use sh_core::Routines;
+use sh_cpu::{Error, Outline, Path, Width, irradiance, shade, shadow, shadow_on};
+use sh_scene::{EnvironmentMap, Light, Receiver, Sphere};
+
+/// A sky that is bright towards +X and blue below, of some order.
+fn light(order: usize) -> Light {
+    let (width, height) = (32, 16);
+    let pixels = (0..width * height)
+        .map(|i| {
+            let (u, v) = ((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
+            let d = EnvironmentMap::direction(u / width as f32, v / height as f32);
+            let sun = 20.0 * (4.0 * (d.dot(vec3(0.8, 0.6, 0.0)) - 1.0)).exp();
+            [0.5 + sun, 0.5 + 0.8 * sun, 1.0 + 0.3 * sun - 0.4 * d.y]
+        })
+        .collect();
+    let map = EnvironmentMap {
+        width,
+        height,
+        pixels,
+    };
+    Light::project(&map, None, order, 2.0 * order as f32).unwrap()
+}
+
+fn sphere(center: Vec3, radius: f32) -> Sphere {
+    Sphere {
+        center: center.into(),
+        radius,
+    }
+}
+
+/// Receivers and blockers scattered so that all cases of the self-shadow rule occur.
+fn scattered(receivers: usize, blockers: usize) -> (Vec<Receiver>, Vec<Sphere>) {
+    let mut random = Random(99);
+    let spheres = (0..blockers).map(|_| {
+        let center = random.point(3.0);
+        sphere(center, random.within(0.05, 0.5))
+    });
+    let spheres: Vec<_> = spheres.collect();
+    let receivers = (0..receivers).map(|i| {
+        let mut r = receiver(random.point(3.0), random.direction());
+        r.covered = u32::from(i % 11 != 3);
+        r
+    });
+    (receivers.collect(), spheres)
+}
+
+/// The pass's text with f64 as its lane, one receiver at a time.
+fn in_f64(receiver: &Receiver, spheres: &[Sphere], light: &Light) -> [f64; 3] {
+    fn with<const C: usize>(r: &Receiver, spheres: &[Sphere], light: &Light) -> [f64; 3]
+    where
+        [f64; C]: Routines<f64>,
+        f64: Outline<C>,
+    {
+        let (p, n) = (r.position.map(f64::from), r.normal.map(f64::from));
+        shade::<f64, C>(p, n, spheres, &light.coefficients)
+    }
+    match light.order {
+        2 => with::<4>(receiver, spheres, light),
+        3 => with::<9>(receiver, spheres, light),
+        4 => with::<16>(receiver, spheres, light),
+        5 => with::<25>(receiver, spheres, light),
+        _ => with::<36>(receiver, spheres, light),
+    }
+}
+
+#[test]
+fn every_path_agrees_with_f64() {
+    // Few enough blockers that the exponential does not amplify rounding: squared p times, a relative error
+    // grows by 2^p, here up to some hundred.
+    let (receivers, spheres) = scattered(300, 12);
+    for order in 2..=6 {
+        let light = light(order);
+        let expected: Vec<_> = receivers
+            .iter()
+            .map(|r| in_f64(r, &spheres, &light))
+            .collect();
+        for path in Path::all() {
+            let mut radiance = vec![[f32::NAN; 3]; receivers.len()];
+            shadow_on(path, &receivers, &spheres, &light, &mut radiance).unwrap();
+            let mut worst = 0.0_f64;
+            for ((r, expected), got) in receivers.iter().zip(&expected).zip(&radiance) {
+                for (expected, &got) in expected.iter().zip(got) {
+                    if r.covered == 0 {
+                        assert_eq!(got, 0.0);
+                    } else {
+                        worst = worst.max((expected - f64::from(got)).abs());
+                    }
+                }
+            }
+            println!("order {order}, {path:?}: {worst:.2e}");
+            assert!(worst < 2e-4, "order {order}, {path:?}: {worst}");
+        }
+    }
+}
+
+#[test]
+fn radiance_lies_between_zero_and_the_unshadowed() {
+    // Very many blockers: the log visibility is large, the series has to hold.
+    let (receivers, spheres) = scattered(500, 400);
+    for order in 2..=6 {
+        let light = light(order);
+        let (mut open, mut shadowed) = (vec![[0.0; 3]; 500], vec![[0.0; 3]; 500]);
+        irradiance(&receivers, &light, &mut open).unwrap();
+        shadow(&receivers, &spheres, &light, &mut shadowed).unwrap();
+        for (open, shadowed) in open.iter().zip(&shadowed) {
+            for (open, shadowed) in open.iter().zip(shadowed) {
+                assert!(
+                    (0.0..=*open).contains(shadowed),
+                    "order {order}: {shadowed} of {open}"
+                );
+            }
+        }
+        // Without blockers nothing is lost but rounding.
+        shadow(&receivers, &[], &light, &mut shadowed).unwrap();
+        for (open, shadowed) in open.iter().flatten().zip(shadowed.iter().flatten()) {
+            assert!(
+                (open - shadowed).abs() <= 1e-5 * open.max(1.0),
+                "{open} {shadowed}"
+            );
+        }
+    }
+}
+
+/// Radiance along a path of a receiver, in steps; the largest change between neighbours.
+fn walk(order: usize, spheres: &[Sphere], steps: usize, at: impl Fn(f32) -> Receiver) -> f32 {
+    let receivers: Vec<_> = (0..=steps).map(|i| at(i as f32 / steps as f32)).collect();
+    let mut radiance = vec![[0.0; 3]; receivers.len()];
+    shadow(&receivers, spheres, &light(order), &mut radiance).unwrap();
+    let change = |pair: &[[f32; 3]]| (pair[1][0] - pair[0][0]).abs();
+    radiance.windows(2).map(change).fold(0.0, f32::max)
+}
+
+#[test]
+fn walking_across_a_sphere_changes_radiance_continuously() {
+    let ball = [sphere(Vec3::ZERO, 1.0)];
+    type Line = fn(f32) -> Receiver;
+    let lines: [(&str, Line); 6] = [
+        ("out along the tangent plane, centre in front", |t| {
+            receiver(vec3(0.05 + 3.0 * t, -0.4, 0.1), Vec3::Y)
+        }),
+        ("out along the tangent plane, centre behind", |t| {
+            receiver(vec3(0.05 + 3.0 * t, 0.4, 0.1), Vec3::Y)
+        }),
+        (
+            "through, from wholly in front to wholly behind, inside the circle",
+            |t| receiver(vec3(0.3, -1.5 + 3.0 * t, 0.2), Vec3::Y),
+        ),
+        ("through, beside the circle", |t| {
+            receiver(vec3(1.4, -1.5 + 3.0 * t, 0.2), Vec3::Y)
+        }),
+        ("across at a slant, out through the side", |t| {
+            receiver(vec3(-0.2 + 2.0 * t, -0.5 + t, 0.3), vec3(0.3, 1.0, -0.2))
+        }),
+        ("turning in place outside", |t| {
+            let (sin, cos) = (6.0 * t).sin_cos();
+            receiver(vec3(1.3, 0.2, 0.0), vec3(sin, cos, 0.2))
+        }),
+    ];
+    for order in [2, 4, 6] {
+        for (name, line) in lines {
+            // A jump keeps its size when steps get finer; a slope's steps shrink with them.
+            let coarse = walk(order, &ball, 1_000, line);
+            let fine = walk(order, &ball, 16_000, line);
+            assert!(coarse > 1e-5, "{name}: nothing happens");
+            assert!(
+                fine < coarse / 4.0 + 2e-5,
+                "order {order}, {name}: {coarse} then {fine}"
+            );
+            assert!(fine < 0.01, "order {order}, {name}: {fine} in one step");
+        }
+    }
+}
+
+#[test]
+fn a_sphere_that_leaves_the_plane_keeps_its_shadow() {
+    // At c = r the rule for cut spheres and that for whole ones meet.
+    let mut radiance = [[0.0; 3]; 2];
+    let around = [1.0 - 1e-4, 1.0 + 1e-4].map(|c| receiver(vec3(0.5, -c, 0.0), Vec3::Y));
+    let ball = [sphere(Vec3::ZERO, 1.0)];
+    shadow(&around, &ball, &light(4), &mut radiance).unwrap();
+    assert!(
+        (radiance[0][0] - radiance[1][0]).abs() < 2e-3,
+        "{radiance:?}"
+    );
+}
+
+#[test]
+fn a_sphere_darkens_what_is_under_it_and_nothing_in_front_of_it() {
+    let even = Light::project(&EnvironmentMap::constant([1.0; 3]), None, 4, f32::INFINITY).unwrap();
+    let ball = [sphere(vec3(0.0, 1.0, 0.0), 1.0)];
+    let mut last = 0.0;
+    for distance in [0.2, 0.5, 1.0, 2.0, 4.0, 16.0] {
+        let mut radiance = [[0.0; 3]; 2];
+        let r = receiver(vec3(distance, 0.0, 0.0), Vec3::Y);
+        let away = receiver(vec3(distance, 0.0, 0.0), Vec3::NEG_Y);
+        shadow(&[r, away], &ball, &even, &mut radiance).unwrap();
+        assert!(
+            radiance[0][0] > last,
+            "{distance} m: {radiance:?} after {last}"
+        );
+        last = radiance[0][0];
+        // The plane of the opposite normal has the sphere behind it.
+        assert!(
+            (radiance[1][0] - 1.0).abs() < 1e-5,
+            "{distance} m: {radiance:?}"
+        );
+    }
+    assert!(last > 0.98);
+}
+
+#[test]
+fn degenerate_blockers_and_places_give_finite_light() {
+    let at = vec3(0.3, -0.2, 0.5);
+    let r = receiver(at, vec3(0.1, 1.0, 0.3));
+    let light = light(4);
+    let shaded = |blocker: Sphere| {
+        let mut radiance = [[f32::NAN; 3]];
+        shadow(&[r], &[blocker], &light, &mut radiance).unwrap();
+        radiance[0]
+    };
+    let mut open = [[0.0; 3]];
+    shadow(&[r], &[], &light, &mut open).unwrap();
+    // No extent: nothing is blocked, wherever it is.
+    for center in [at, at + Vec3::Y, at - Vec3::Y, at + Vec3::X] {
+        assert_eq!(shaded(sphere(center, 0.0)), open[0], "{center}");
+    }
+    // The receiver at the centre of a sphere, touching it from inside and outside, and far from everything.
+    let n = Vec3::from(r.normal);
+    for blocker in [
+        sphere(at, 1.0),
+        sphere(at + n, 1.0),
+        sphere(at - n, 1.0),
+        sphere(at + n * 1e-20, 1e-20),
+        sphere(at + Vec3::X * 1e-7, 1.0),
+        sphere(at + Vec3::splat(1e15), 1e3),
+        sphere(at + Vec3::splat(1e8), 1e8),
+        sphere(Vec3::ZERO, f32::MIN_POSITIVE),
+    ] {
+        for (got, open) in shaded(blocker).into_iter().zip(open[0]) {
+            assert!(
+                got >= 0.0 && got <= open.max(0.0) * 1.000_01,
+                "{blocker:?}: {got} of {open}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    let (receivers, spheres) = scattered(5_000, 60);
+    let light = light(4);
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        let mut radiance = vec![[0.0; 3]; receivers.len()];
+        pool.install(|| shadow(&receivers, &spheres, &light, &mut radiance))
+            .unwrap();
+        radiance
+    };
+    let one = on(1);
+    for threads in [2, 3] {
+        assert!(one == on(threads), "{threads} threads differ from one");
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    let (receivers, spheres) = scattered(10, 2);
+    let mut light = light(4);
+    let mut short = [[0.0; 3]; 9];
+    let error = shadow(&receivers, &spheres, &light, &mut short).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "radiance has 9 entries for 10 samples: it needs one each"
+    );
+    let mut radiance = [[7.0; 3]; 10];
+    light.coefficients.pop();
+    let path = Path::of_width(Width::One);
+    let error = shadow_on(path, &receivers, &spheres, &light, &mut radiance).unwrap_err();
+    assert_eq!(
+        error,
+        Error::Coefficients {
+            order: 4,
+            found: 15
+        }
+    );
+    light.order = 7;
+    let error = irradiance(&receivers, &light, &mut radiance).unwrap_err();
+    assert_eq!(error, Error::Order { order: 7 });
+    assert_eq!(
+        radiance, [[7.0; 3]; 10],
+        "nothing is written before a refusal"
+    );
+}
