@@ -53,12 +53,21 @@ pub fn load_mesh(path: &Path) -> Result<Model, Error> {
             });
         }
     };
+    let total: usize = raw.iter().map(|part| part.triangles.len()).sum();
     let mut parts = Vec::new();
     for part in raw {
         parts.extend(part.finish(path, &mut warnings)?);
     }
     if parts.is_empty() {
-        return Err(Error::file(path, "the file has no triangles."));
+        return Err(Error::file(
+            path,
+            match total {
+                0 => "the file has no triangles.".to_string(),
+                n => format!(
+                    "the file has no triangle with an area: all {n} have their corners on a line."
+                ),
+            },
+        ));
     }
     Ok(Model { parts, warnings })
 }

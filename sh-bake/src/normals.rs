@@ -31,8 +31,8 @@ pub(crate) fn smooth(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Smoothed
             let (to_next, to_last) = (p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
             to_next.angle_between(to_last)
         }));
-        for k in 0..3 {
-            places.entry(place(t[k])).or_default().push((face, k));
+        for (k, &i) in t.iter().enumerate() {
+            places.entry(place(i)).or_default().push((face, k));
         }
     }
 

@@ -14,22 +14,24 @@ pub struct Camera {
 }
 
 impl Camera {
+    /// The vertical field of view where nothing is said: 35°.
+    pub const FOV: f32 = 35.0 * std::f32::consts::PI / 180.0;
+
     /// A camera that looks at the box from `min` to `max` from in front (+Z), a little from the right and
-    /// from above, near enough that the box fills most of a picture of 4:3 or wider. A box without extent
-    /// is seen from a metre's distance.
+    /// from above, near enough that the box fills most of a picture of 4:3 or wider; `fov` is the vertical
+    /// field of view in radians ([`Camera::FOV`] is usual). A box without extent is seen from a metre's
+    /// distance.
     ///
     /// ```
     /// use glam::Vec3;
-    /// let camera = sh_scene::Camera::framing(-Vec3::ONE, Vec3::ONE);
+    /// let camera = sh_scene::Camera::framing(-Vec3::ONE, Vec3::ONE, sh_scene::Camera::FOV);
     /// assert_eq!(camera.target, Vec3::ZERO);
     /// assert!(camera.eye.z > 2.0);
     /// ```
-    pub fn framing(min: Vec3, max: Vec3) -> Self {
-        const FOV: f32 = 35.0;
+    pub fn framing(min: Vec3, max: Vec3, fov: f32) -> Self {
         const ASPECT: f32 = 4.0 / 3.0;
         const MARGIN: f32 = 1.12;
         let (target, half) = ((min + max) * 0.5, (max - min) * 0.5);
-        let fov = FOV.to_radians();
         let away = Vec3::new(0.46, 0.42, 1.0).normalize();
         let [right, up, _] = View {
             camera: Self {
@@ -130,7 +132,7 @@ mod tests {
             (Vec3::new(-900.0, 0.0, -10.0), Vec3::new(900.0, 20.0, 10.0)),
             (Vec3::splat(0.001), Vec3::splat(0.002)),
         ] {
-            let camera = Camera::framing(min, max);
+            let camera = Camera::framing(min, max, Camera::FOV);
             let view = View {
                 camera,
                 width: 640,
@@ -152,7 +154,7 @@ mod tests {
             }
             assert!(widest > 0.75 && widest < 1.0, "{min} {max}: {widest}");
         }
-        let point = Camera::framing(Vec3::ONE, Vec3::ONE);
+        let point = Camera::framing(Vec3::ONE, Vec3::ONE, 0.5);
         assert!((point.eye.distance(Vec3::ONE) - 1.0).abs() < 1e-6);
     }
 }

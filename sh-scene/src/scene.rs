@@ -1,6 +1,6 @@
 //! A scene, loaded and resolved: nothing in it refers to a file or needs a default any more.
 
-use crate::{Camera, EnvironmentMap, Sphere};
+use crate::{Camera, EnvironmentMap, Light, LightError, Sphere};
 use glam::{Affine3A, Vec3};
 
 /// A triangle mesh in its object's own space.
@@ -115,7 +115,33 @@ impl Default for Settings {
     }
 }
 
+impl Settings {
+    /// These settings with another order; the window keeps its width relative to it.
+    ///
+    /// ```
+    /// let settings = sh_scene::Settings::default().with_order(6);
+    /// assert_eq!((settings.order, settings.window), (6, 12.0));
+    /// ```
+    pub fn with_order(self, order: usize) -> Self {
+        Self {
+            order,
+            window: self.window * order as f32 / self.order as f32,
+            ..self
+        }
+    }
+}
+
 impl Scene {
+    /// The light that the passes use: the environment over the ground, of the order and with the window
+    /// that the settings say.
+    ///
+    /// # Errors
+    /// Where the settings' order or window is none that there is.
+    pub fn light(&self) -> Result<Light, LightError> {
+        let Settings { order, window, .. } = self.settings;
+        Light::project(&self.environment, self.ground, order, window)
+    }
+
     /// The lowest and the highest corner of the bounding box of all objects in world space, or none where
     /// there is no triangle.
     pub fn bounds(&self) -> Option<[Vec3; 2]> {

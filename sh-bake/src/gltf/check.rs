@@ -3,9 +3,41 @@
 
 use gltf::accessor::{Accessor, DataType, Dimensions};
 use gltf::buffer::{Data, View};
+use gltf::json::Root;
+use gltf::json::validation::Checked;
 
 /// Most elements that an accessor without bytes behind it may have.
 const MOST_EMPTY: usize = 1 << 24;
+
+/// Checks what even the crate's own validation takes on trust. Messages end in a full stop.
+pub(crate) fn document(root: &Root) -> Result<(), String> {
+    for (m, mesh) in root.meshes.iter().enumerate() {
+        for (p, primitive) in mesh.primitives.iter().enumerate() {
+            let place = format!("meshes[{m}].primitives[{p}]");
+            for (semantic, accessor) in &primitive.attributes {
+                let (i, count) = (accessor.value(), root.accessors.len());
+                if i >= count {
+                    let name = match semantic {
+                        Checked::Valid(semantic) => semantic.to_string(),
+                        Checked::Invalid => "an attribute".to_string(),
+                    };
+                    return Err(format!(
+                        "{place}: {name} names accessor {i}, but there are {count}."
+                    ));
+                }
+            }
+        }
+    }
+    for (i, image) in root.images.iter().enumerate() {
+        let missing = match (&image.uri, &image.buffer_view, &image.mime_type) {
+            (Some(_), _, _) | (_, Some(_), Some(_)) => continue,
+            (None, Some(_), None) => "mimeType, which a buffer view needs",
+            (None, None, _) => "uri or bufferView",
+        };
+        return Err(format!("images[{i}] has no {missing}."));
+    }
+    Ok(())
+}
 
 /// Checks an accessor that is to be read as `dimensions` of one of `types`. The message says what is wrong
 /// with it, and does not end in a full stop.

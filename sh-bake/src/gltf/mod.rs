@@ -33,6 +33,7 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<(Vec<RawPart>, Vec<Strin
             "extensionsRequired names {name}, which is not supported; save the file without it."
         )));
     }
+    check::document(unchecked.as_json()).map_err(wrong)?;
     let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(damaged)?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let buffers = buffers(&document, folder, blob).map_err(wrong)?;

@@ -45,7 +45,14 @@ impl SphereSet {
         }
         let count = count.max(1);
         let solid = Solid::new(&points, &triangles);
-        let surface = Surface::new(&points, &triangles, (40 * count).clamp(8_000, 60_000));
+        let surface = Surface::new(
+            &points,
+            &triangles,
+            (120 * count)
+                .clamp(3_000, 8_000)
+                .max(40 * count)
+                .min(60_000),
+        );
         let mut balls = Fit::new(&surface, &solid).run(count);
 
         // What the pieces did not show (triangles left out of a large mesh), and then the rounding to f32,

@@ -183,19 +183,13 @@ fn cross(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
 }
 
 /// Whether every edge is passed as often one way as the other: then the surface has no border and winding
-/// numbers are whole. Vertices at the same place count as one.
+/// numbers are whole. Vertices within a millionth of the mesh's size of each other count as one.
 pub(crate) fn is_closed(points: &[DVec3], triangles: &[[u32; 3]]) -> bool {
-    let mut places = HashMap::new();
-    let place: Vec<u32> = points
-        .iter()
-        .map(|p| {
-            let next = places.len() as u32;
-            // Adding 0 makes -0 and 0 the same place.
-            *places
-                .entry((*p + DVec3::ZERO).to_array().map(f64::to_bits))
-                .or_insert(next)
-        })
-        .collect();
+    let used = || triangles.iter().flatten().map(|&i| points[i as usize]);
+    let low = used().fold(DVec3::INFINITY, DVec3::min);
+    let high = used().fold(DVec3::NEG_INFINITY, DVec3::max);
+    let near = 1e-6 * (high - low).max_element();
+    let place = welded(points, near.max(f64::MIN_POSITIVE));
     let mut balance: HashMap<[u32; 2], i32> = HashMap::new();
     for t in triangles {
         for k in 0..3 {
@@ -206,6 +200,27 @@ pub(crate) fn is_closed(points: &[DVec3], triangles: &[[u32; 3]]) -> bool {
         }
     }
     !triangles.is_empty() && balance.values().all(|b| *b == 0)
+}
+
+/// For each point a number that it shares with an earlier point at most `near` away, if there is one.
+fn welded(points: &[DVec3], near: f64) -> Vec<u32> {
+    let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
+    let cell = |p: DVec3| (p / (2.0 * near)).to_array().map(|c| c.floor() as i64);
+    let mut place = Vec::with_capacity(points.len());
+    for (i, &p) in points.iter().enumerate() {
+        // A cell is twice as wide as points may be apart: the 8 cells around it hold all that are near.
+        let corners = (0..8).map(|k| {
+            let side = |bit: u32| if k >> bit & 1 == 1 { near } else { -near };
+            cell(p + DVec3::new(side(0), side(1), side(2)))
+        });
+        let mut around = corners.filter_map(|c| cells.get(&c)).flatten().copied();
+        let earlier = around.find(|&j| points[j as usize].distance(p) <= near);
+        if earlier.is_none() {
+            cells.entry(cell(p)).or_default().push(i as u32);
+        }
+        place.push(earlier.unwrap_or(i as u32));
+    }
+    place
 }
 
 #[cfg(test)]

@@ -1,0 +1,262 @@
+//! Reading a table of a scene file key by key, with errors that name the file, the line and the key.
+
+use crate::error::Error;
+use std::fmt::Display;
+use std::ops::{Range, RangeInclusive};
+use std::path::Path;
+use toml::de::{DeTable, DeValue};
+
+/// The file that tables are from.
+#[derive(Clone, Copy)]
+pub(crate) struct Source<'a> {
+    pub(crate) path: &'a Path,
+    pub(crate) text: &'a str,
+}
+
+impl Source<'_> {
+    /// An error at a place in the text.
+    pub(crate) fn error(&self, span: &Range<usize>, message: impl Display) -> Error {
+        let before = self.text.get(..span.start).unwrap_or(self.text);
+        let line = before.matches('\n').count() + 1;
+        Error::Scene {
+            path: self.path.to_path_buf(),
+            line,
+            message: message.to_string(),
+        }
+    }
+}
+
+/// A table with its name, for instance `camera` or `objects`.
+pub(crate) struct Section<'a> {
+    source: Source<'a>,
+    name: &'a str,
+    span: Range<usize>,
+    table: &'a DeTable<'a>,
+}
+
+impl<'a> Section<'a> {
+    /// The table, if it has no keys but those `known`.
+    pub(crate) fn new(
+        source: Source<'a>,
+        name: &'a str,
+        span: Range<usize>,
+        table: &'a DeTable<'a>,
+        known: &[&str],
+    ) -> Result<Self, Error> {
+        for key in table.keys() {
+            let found = key.get_ref().as_ref();
+            if !known.contains(&found) {
+                let place = if name.is_empty() {
+                    String::new()
+                } else {
+                    format!(" in [{name}]")
+                };
+                let hint = match nearest(found, known) {
+                    Some(near) => format!("; did you mean `{near}`?"),
+                    None => format!(", which knows {}.", known.join(", ")),
+                };
+                return Err(source.error(
+                    &key.span(),
+                    format!("the key `{found}` is not known{place}{hint}"),
+                ));
+            }
+        }
+        Ok(Self {
+            source,
+            name,
+            span,
+            table,
+        })
+    }
+
+    /// Where the table, or its key, stands.
+    pub(crate) fn error(&self, key: &str, message: impl Display) -> Error {
+        let span = self
+            .table
+            .get(key)
+            .map_or(self.span.clone(), |value| value.span());
+        let dot = if key.is_empty() || self.name.is_empty() {
+            ""
+        } else {
+            "."
+        };
+        self.source
+            .error(&span, format!("{}{dot}{key} {message}", self.name))
+    }
+
+    fn value(&self, key: &str) -> Option<&'a DeValue<'a>> {
+        self.table.get(key).map(|value| value.get_ref())
+    }
+
+    /// A string.
+    pub(crate) fn string(&self, key: &str) -> Result<Option<&'a str>, Error> {
+        match self.value(key) {
+            None => Ok(None),
+            Some(DeValue::String(text)) => Ok(Some(text.as_ref())),
+            Some(other) => {
+                Err(self.error(key, format!("has to be a string, not {}.", kind(other))))
+            }
+        }
+    }
+
+    /// True or false.
+    pub(crate) fn boolean(&self, key: &str) -> Result<Option<bool>, Error> {
+        match self.value(key) {
+            None => Ok(None),
+            Some(DeValue::Boolean(value)) => Ok(Some(*value)),
+            Some(other) => Err(self.error(
+                key,
+                format!("has to be true or false, not {}.", kind(other)),
+            )),
+        }
+    }
+
+    /// A whole number within a range.
+    pub(crate) fn count(
+        &self,
+        key: &str,
+        range: RangeInclusive<usize>,
+    ) -> Result<Option<usize>, Error> {
+        let Some(value) = self.value(key) else {
+            return Ok(None);
+        };
+        let wanted = format!(
+            "has to be a whole number from {} to {}",
+            range.start(),
+            range.end()
+        );
+        match (integer(value), number(value)) {
+            (Some(n), _) => match usize::try_from(n).ok().filter(|n| range.contains(n)) {
+                Some(n) => Ok(Some(n)),
+                None => Err(self.error(key, format!("is {n}, but it {wanted}."))),
+            },
+            (None, Some(n)) => Err(self.error(key, format!("is {n}, but it {wanted}."))),
+            (None, None) => Err(self.error(key, format!("{wanted}, not {}.", kind(value)))),
+        }
+    }
+
+    /// A number that `allowed` allows; `wanted` says which those are ("above 0").
+    pub(crate) fn number(
+        &self,
+        key: &str,
+        wanted: &str,
+        allowed: impl Fn(f32) -> bool,
+    ) -> Result<Option<f32>, Error> {
+        let Some(value) = self.value(key) else {
+            return Ok(None);
+        };
+        match number(value) {
+            Some(n) if n.is_finite() && allowed(n) => Ok(Some(n)),
+            Some(n) => Err(self.error(key, format!("is {n}, but it has to be a number {wanted}."))),
+            None => Err(self.error(
+                key,
+                format!("has to be a number {wanted}, not {}.", kind(value)),
+            )),
+        }
+    }
+
+    /// Three numbers that `allowed` allows. One number stands for three equal ones where `spread` says so.
+    pub(crate) fn triple(
+        &self,
+        key: &str,
+        wanted: &str,
+        spread: bool,
+        allowed: impl Fn(f32) -> bool,
+    ) -> Result<Option<[f32; 3]>, Error> {
+        let Some(value) = self.value(key) else {
+            return Ok(None);
+        };
+        let numbers: Option<Vec<f32>> = match value {
+            DeValue::Array(array) => array.iter().map(|v| number(v.get_ref())).collect(),
+            other if spread => number(other).map(|n| vec![n; 3]),
+            _ => None,
+        };
+        let triple = numbers.and_then(|n| <[f32; 3]>::try_from(n).ok());
+        match triple {
+            Some(triple) => match triple.iter().find(|n| !n.is_finite() || !allowed(**n)) {
+                None => Ok(Some(triple)),
+                Some(n) => Err(self.error(
+                    key,
+                    format!("has {n} in it, but it has to be three numbers {wanted}."),
+                )),
+            },
+            None => Err(self.error(
+                key,
+                format!("has to be three numbers {wanted}, like [0.1, 0.2, 0.3]."),
+            )),
+        }
+    }
+}
+
+/// What a value is, for a person.
+fn kind(value: &DeValue) -> &'static str {
+    match value {
+        DeValue::String(_) => "a string",
+        DeValue::Integer(_) | DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}
+
+fn integer(value: &DeValue) -> Option<i64> {
+    match value {
+        DeValue::Integer(n) => i64::from_str_radix(n.as_str(), n.radix()).ok(),
+        _ => None,
+    }
+}
+
+fn number(value: &DeValue) -> Option<f32> {
+    match value {
+        DeValue::Float(n) => n.as_str().parse().ok(),
+        other => integer(other).map(|n| n as f32),
+    }
+}
+
+/// The known key that is least different from the one found, if it is near.
+fn nearest<'k>(found: &str, known: &[&'k str]) -> Option<&'k str> {
+    let by_distance = known
+        .iter()
+        .map(|key| (distance(&found.to_lowercase(), key), *key));
+    by_distance
+        .min()
+        .filter(|(d, key)| *d <= 1 + key.len() / 3)
+        .map(|(_, key)| key)
+}
+
+/// How many letters have to be put in, taken out or changed to make `a` into `b` (Levenshtein 1966).
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let changed = diagonal + usize::from(x != *y);
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_are_those_of_the_textbook() {
+        assert_eq!(distance("kitten", "sitting"), 3);
+        assert_eq!(distance("", "abc"), 3);
+        assert_eq!(distance("same", "same"), 0);
+    }
+
+    #[test]
+    fn near_keys_are_found_and_far_ones_are_not() {
+        let known = ["mesh", "spheres", "translate", "rotate", "scale", "albedo"];
+        assert_eq!(nearest("shperes", &known), Some("spheres"));
+        assert_eq!(nearest("Mesh", &known), Some("mesh"));
+        assert_eq!(nearest("color", &known), None);
+    }
+}

@@ -1,0 +1,380 @@
+//! Scene files: TOML, every key optional but `mesh`.
+//!
+//! ```toml
+//! [[objects]]                  # at least one
+//! mesh = "bunny.obj"           # .obj, .gltf or .glb, relative to this file
+//! spheres = 64                 # 1 to 4096
+//! scale = 1.0                  # applied first,
+//! rotate = [0, 90, 0]          # then turned about x, then y, then z, in degrees,
+//! translate = [0, 0, 0]        # then moved, in metres
+//! albedo = [0.8, 0.8, 0.8]     # or one number; in place of the file's own colour, under its texture
+//!
+//! [environment]                # a clear sky with a sun where nothing is said
+//! map = "city.hdr"             # .hdr or .exr, equirectangular
+//! rotation = 0                 # about +Y, in degrees, counter-clockwise seen from above
+//! intensity = 1.0
+//!
+//! [ground]
+//! height = 0.0                 # under the lowest point where nothing is said
+//! albedo = [0.5, 0.5, 0.5]
+//! enabled = true               # false: no ground
+//!
+//! [camera]                     # frames the objects where nothing is said
+//! eye = [3, 2, 5]
+//! target = [0, 1, 0]
+//! fov = 35                     # vertical, in degrees
+//!
+//! [settings]
+//! order = 4                    # 2 to 6
+//! window = 8                   # twice the order where nothing is said
+//! shadows = true
+//! ```
+
+use crate::error::{Error, read};
+use crate::keys::{Section, Source};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use toml::de::{DeTable, DeValue};
+
+/// A scene file's content, checked but not yet resolved.
+pub(crate) struct SceneFile {
+    pub(crate) objects: Vec<ObjectEntry>,
+    pub(crate) map: Option<PathBuf>,
+    /// Radians.
+    pub(crate) rotation: f32,
+    pub(crate) intensity: f32,
+    pub(crate) ground: bool,
+    pub(crate) ground_height: Option<f32>,
+    pub(crate) ground_albedo: [f32; 3],
+    pub(crate) eye: Option<[f32; 3]>,
+    pub(crate) target: Option<[f32; 3]>,
+    /// Radians.
+    pub(crate) fov: Option<f32>,
+    pub(crate) order: usize,
+    pub(crate) window: Option<f32>,
+    pub(crate) shadows: bool,
+}
+
+/// One of `[[objects]]`.
+pub(crate) struct ObjectEntry {
+    pub(crate) mesh: PathBuf,
+    pub(crate) spheres: usize,
+    pub(crate) translate: [f32; 3],
+    /// Degrees about x, y, z.
+    pub(crate) rotate: [f32; 3],
+    pub(crate) scale: f32,
+    pub(crate) albedo: Option<[f32; 3]>,
+}
+
+/// Spheres for an object that does not say how many.
+const SPHERES: usize = 64;
+/// Coordinates and factors beyond this leave what `f32` can square.
+const FAR: f32 = 1e9;
+
+impl SceneFile {
+    /// Reads a scene file.
+    pub(crate) fn read(path: &Path) -> Result<Self, Error> {
+        let bytes = read(path)?;
+        let text = String::from_utf8(bytes).map_err(|e| {
+            let valid = e.utf8_error().valid_up_to();
+            Error::file(
+                path,
+                format!("the scene is not UTF-8 text after byte {valid}."),
+            )
+        })?;
+        Self::parse(path, &text)
+    }
+
+    /// A scene of one mesh and nothing else said.
+    pub(crate) fn of_mesh(path: &Path) -> Self {
+        let object = ObjectEntry {
+            mesh: path.to_path_buf(),
+            spheres: SPHERES,
+            translate: [0.0; 3],
+            rotate: [0.0; 3],
+            scale: 1.0,
+            albedo: None,
+        };
+        Self {
+            objects: vec![object],
+            ..Self::default()
+        }
+    }
+
+    /// Reads a scene's text; `path` is what relative paths are relative to and what errors name.
+    pub(crate) fn parse(path: &Path, text: &str) -> Result<Self, Error> {
+        let source = Source { path, text };
+        let parsed = DeTable::parse(text).map_err(|e| {
+            let message = format!(
+                "the TOML cannot be understood: {}.",
+                e.message().trim_end_matches('.')
+            );
+            source.error(&e.span().unwrap_or(0..0), message)
+        })?;
+        let (span, root) = (parsed.span(), parsed.get_ref());
+        let top = ["objects", "environment", "ground", "camera", "settings"];
+        let root_section = Section::new(source, "", span.clone(), root, &top)?;
+
+        let mut scene = Self::default();
+        let entries = match root.get("objects").map(|v| (v.span(), v.get_ref())) {
+            None => {
+                return Err(
+                    root_section.error("objects", "is missing: a scene needs an [[objects]].")
+                );
+            }
+            Some((_, DeValue::Array(array))) => array,
+            Some((span, _)) => {
+                let message = "objects has to be a list of tables, each headed [[objects]].";
+                return Err(source.error(&span, message));
+            }
+        };
+        for entry in entries.iter() {
+            let table = table(source, "objects", entry.span(), entry.get_ref())?;
+            scene.objects.push(object(source, entry.span(), table)?);
+        }
+        if scene.objects.is_empty() {
+            return Err(root_section.error("objects", "is empty: a scene needs an [[objects]]."));
+        }
+        let section = |name: &'static str, known: &[&str]| match root.get(name) {
+            None => Ok(None),
+            Some(value) => {
+                let table = table(source, name, value.span(), value.get_ref())?;
+                Section::new(source, name, value.span(), table, known).map(Some)
+            }
+        };
+        if let Some(s) = section("environment", &["map", "rotation", "intensity"])? {
+            scene.map = s.string("map")?.map(|map| beside(path, map));
+            let rotation = s.number("rotation", "of degrees", |n| n.abs() < FAR)?;
+            scene.rotation = rotation.unwrap_or(0.0).to_radians();
+            scene.intensity = s
+                .number("intensity", "from 0 to 1e6", |n| (0.0..=1e6).contains(&n))?
+                .unwrap_or(1.0);
+        }
+        if let Some(s) = section("ground", &["height", "albedo", "enabled"])? {
+            scene.ground = s.boolean("enabled")?.unwrap_or(true);
+            scene.ground_height = s.number("height", "of metres", |n| n.abs() < FAR)?;
+            scene.ground_albedo = albedo(&s)?.unwrap_or(scene.ground_albedo);
+        }
+        if let Some(s) = section("camera", &["eye", "target", "fov"])? {
+            scene.eye = s.triple("eye", "of metres", false, |n| n.abs() < FAR)?;
+            scene.target = s.triple("target", "of metres", false, |n| n.abs() < FAR)?;
+            let fov = s.number("fov", "of degrees from 1 to 170", |n| {
+                (1.0..=170.0).contains(&n)
+            })?;
+            scene.fov = fov.map(f32::to_radians);
+            if scene.eye.is_some() && scene.eye == scene.target {
+                return Err(s.error(
+                    "target",
+                    "is the same point as camera.eye, so there is nowhere to look.",
+                ));
+            }
+        }
+        if let Some(s) = section("settings", &["order", "window", "shadows"])? {
+            scene.order = s.count("order", 2..=6)?.unwrap_or(scene.order);
+            scene.window = s.number("window", "above 0", |n| n > 0.0)?;
+            scene.shadows = s.boolean("shadows")?.unwrap_or(true);
+        }
+        Ok(scene)
+    }
+}
+
+impl Default for SceneFile {
+    /// What holds where a file says nothing.
+    fn default() -> Self {
+        Self {
+            objects: Vec::new(),
+            map: None,
+            rotation: 0.0,
+            intensity: 1.0,
+            ground: true,
+            ground_height: None,
+            ground_albedo: [0.5; 3],
+            eye: None,
+            target: None,
+            fov: None,
+            order: 4,
+            window: None,
+            shadows: true,
+        }
+    }
+}
+
+fn object<'a>(
+    source: Source<'a>,
+    span: Range<usize>,
+    table: &'a DeTable<'a>,
+) -> Result<ObjectEntry, Error> {
+    let known = ["mesh", "spheres", "translate", "rotate", "scale", "albedo"];
+    let s = Section::new(source, "objects", span, table, &known)?;
+    let Some(mesh) = s.string("mesh")? else {
+        return Err(s.error("mesh", "is missing: it names the object's mesh file."));
+    };
+    Ok(ObjectEntry {
+        mesh: beside(source.path, mesh),
+        spheres: s.count("spheres", 1..=4096)?.unwrap_or(SPHERES),
+        translate: s
+            .triple("translate", "of metres", false, |n| n.abs() < FAR)?
+            .unwrap_or_default(),
+        rotate: s
+            .triple("rotate", "of degrees", false, |n| n.abs() < FAR)?
+            .unwrap_or_default(),
+        scale: s
+            .number("scale", "above 0 and below 1e9", |n| n > 1e-9 && n < FAR)?
+            .unwrap_or(1.0),
+        albedo: albedo(&s)?,
+    })
+}
+
+/// Reflectances.
+fn albedo(section: &Section) -> Result<Option<[f32; 3]>, Error> {
+    section.triple("albedo", "from 0 to 1", true, |n| (0.0..=1.0).contains(&n))
+}
+
+fn table<'a>(
+    source: Source,
+    name: &str,
+    span: Range<usize>,
+    value: &'a DeValue<'a>,
+) -> Result<&'a DeTable<'a>, Error> {
+    match value {
+        DeValue::Table(table) => Ok(table),
+        _ => Err(source.error(&span, format!("{name} has to be a table, headed [{name}]."))),
+    }
+}
+
+/// A path as the scene file means it.
+fn beside(scene: &Path, path: &str) -> PathBuf {
+    scene.parent().unwrap_or(Path::new("")).join(path)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(text: &str) -> Result<SceneFile, String> {
+        SceneFile::parse(Path::new("dir/s.toml"), text).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn the_smallest_scene_has_a_sensible_rest() {
+        let scene = parse("[[objects]]\nmesh = \"a.obj\"\n").unwrap();
+        assert_eq!(scene.objects[0].mesh, Path::new("dir/a.obj"));
+        assert_eq!(
+            (scene.objects[0].spheres, scene.order, scene.shadows),
+            (64, 4, true)
+        );
+        assert!(scene.ground && scene.map.is_none() && scene.window.is_none());
+    }
+
+    #[test]
+    fn the_example_in_the_documentation_is_a_scene() {
+        let example: String = include_str!("scene_file.rs")
+            .lines()
+            .skip_while(|line| !line.contains("```toml"))
+            .skip(1)
+            .take_while(|line| !line.contains("```"))
+            .map(|line| line.trim_start_matches("//!").to_string() + "\n")
+            .collect();
+        let scene = parse(&example).unwrap();
+        assert_eq!(scene.objects[0].rotate, [0.0, 90.0, 0.0]);
+        assert_eq!(scene.eye, Some([3.0, 2.0, 5.0]));
+        assert_eq!(scene.window, Some(8.0));
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_file_line_and_key() {
+        let object = "[[objects]]\nmesh = \"a.obj\"\n";
+        for (text, expected) in [
+            ("", "line 1: objects is missing"),
+            ("objects = 3", "line 1: objects has to be a list of tables"),
+            ("objects = [3]", "line 1: objects has to be a table"),
+            ("objects = []", "line 1: objects is empty"),
+            (
+                "[[objects]]\nspheres = 3",
+                "line 1: objects.mesh is missing",
+            ),
+            (
+                "[[objects]]\nmesh = 3",
+                "line 2: objects.mesh has to be a string, not a number.",
+            ),
+            (
+                "[[objects]]\nmesh = \"a.obj\"\nshperes = 3",
+                "line 3: the key `shperes` is not known in [objects]; did you mean `spheres`?",
+            ),
+            (
+                "[[objects]]\nmesh = \"a.obj\"\nspheres = 0",
+                "line 3: objects.spheres is 0, but it has to be a whole number from 1 to 4096.",
+            ),
+            (
+                "[[objects]]\nmesh = \"a.obj\"\nspheres = 2.5",
+                "line 3: objects.spheres is 2.5, but",
+            ),
+            (
+                "[[objects]]\nmesh = \"a.obj\"\nscale = 0",
+                "line 3: objects.scale is 0, but it has to be a number above 0",
+            ),
+            (
+                "[[objects]]\nmesh = \"a.obj\"\nscale = nan",
+                "line 3: objects.scale is NaN",
+            ),
+            (
+                "[[objects]]\nmesh = \"a.obj\"\nalbedo = [1, 2, 0]",
+                "line 3: objects.albedo has 2 in it",
+            ),
+            (
+                "[[objects]]\nmesh = \"a.obj\"\nrotate = [1, 2]",
+                "line 3: objects.rotate has to be three numbers",
+            ),
+            ("[[objects]\n", "line 1: the TOML cannot be understood"),
+        ] {
+            let message = parse(text).err().unwrap_or_default();
+            assert!(
+                message.starts_with("dir/s.toml, ") && message.contains(expected),
+                "{text}: {message}"
+            );
+        }
+        for (text, expected) in [
+            (
+                "[settings]\norder = 1",
+                "line 4: settings.order is 1, but it has to be a whole number from 2 to 6.",
+            ),
+            ("[settings]\norder = 7", "line 4: settings.order is 7"),
+            ("[settings]\nwindow = -1", "line 4: settings.window is -1"),
+            (
+                "[settings]\nshadows = 1",
+                "line 4: settings.shadows has to be true or false, not a number.",
+            ),
+            (
+                "[setings]\norder = 3",
+                "line 3: the key `setings` is not known; did you mean `settings`?",
+            ),
+            ("[camera]\nfov = 0", "line 4: camera.fov is 0"),
+            (
+                "[camera]\neye = [1, 1, 1]\ntarget = [1, 1, 1]",
+                "line 5: camera.target is the same point",
+            ),
+            (
+                "[environment]\nintensity = -2",
+                "line 4: environment.intensity is -2",
+            ),
+            (
+                "[environment]\nfile = \"x\"",
+                "line 4: the key `file` is not known in [environment], which knows map",
+            ),
+            ("[ground]\nheight = inf", "line 4: ground.height is inf"),
+            ("ground = 3", "ground"),
+        ] {
+            let message = parse(&format!("{object}{text}")).err().unwrap_or_default();
+            assert!(message.contains(expected), "{text}: {message}");
+        }
+    }
+
+    #[test]
+    fn ground_can_be_left_out() {
+        assert!(
+            !parse("[[objects]]\nmesh = \"a.obj\"\n[ground]\nenabled = false")
+                .unwrap()
+                .ground
+        );
+    }
+}

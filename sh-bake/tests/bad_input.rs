@@ -1,0 +1,385 @@
+//! Every file of `tests/corpus` is wrong in one way, and says so in a sentence that names the file and what
+//! in it is wrong.
+
+use sh_bake::{load_environment, load_mesh, load_scene};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// Files that are wrong themselves, with what their message has to say.
+const WRONG: &[(&str, &[&str])] = &[
+    (
+        "accessor_huge.gltf",
+        &["mesh 0 (flag), primitive 0", "POSITION", "accessor 0"],
+    ),
+    (
+        "accessor_missing.gltf",
+        &["meshes[0].primitives[0]: POSITION names accessor 9, but there are 2"],
+    ),
+    (
+        "accessor_past_end.gltf",
+        &["mesh 0 (flag), primitive 0: POSITION: accessor 0 reads past the end"],
+    ),
+    (
+        "bad_corner.obj",
+        &["line 4", "`two` is no corner of a face"],
+    ),
+    ("bad_number.obj", &["line 1", "a position needs 3 numbers"]),
+    ("buffer_missing.gltf", &["buffers[]", "cannot be read"]),
+    (
+        "buffer_short.gltf",
+        &["buffers[0].byteLength says 400 bytes, but there are 44"],
+    ),
+    (
+        "draco.glb",
+        &["extensionsRequired", "KHR_draco_mesh_compression"],
+    ),
+    ("empty.glb", &["the glTF is damaged"]),
+    ("empty.obj", &["no triangles"]),
+    (
+        "image_past_end.gltf",
+        &[
+            "mesh 0, primitive 0",
+            "images[0]",
+            "reads past the end of buffer 0",
+        ],
+    ),
+    (
+        "index_huge.obj",
+        &["line 4", "texture coordinate index -9 is out of range"],
+    ),
+    (
+        "index_out_of_range.gltf",
+        &[
+            "mesh 0 (flag), primitive 0",
+            "vertex index 7 is out of range 0..3",
+        ],
+    ),
+    (
+        "index_out_of_range.obj",
+        &["line 4", "position index 4 is out of range: the file has 3"],
+    ),
+    (
+        "index_type.gltf",
+        &["mesh 0 (flag), primitive 0: indices: accessor 1 holds"],
+    ),
+    (
+        "index_zero.obj",
+        &["line 4", "position index 0 is out of range"],
+    ),
+    (
+        "infinite_pixel.exr",
+        &["pixel (column 2, row 1) has green inf"],
+    ),
+    (
+        "infinite_position.obj",
+        &["the position of vertex 1 has a coordinate inf"],
+    ),
+    (
+        "joint_out_of_range.gltf",
+        &["JOINTS_0: joint 3 is out of range 0..1"],
+    ),
+    ("nan_pixel.exr", &["pixel (column 2, row 1) has green NaN"]),
+    (
+        "nan_position.gltf",
+        &[
+            "mesh 0 (flag), primitive 0",
+            "the position of vertex 1 has a coordinate NaN",
+        ],
+    ),
+    (
+        "nan_position.obj",
+        &["the position of vertex 1 has a coordinate NaN"],
+    ),
+    (
+        "negative_pixel.exr",
+        &["pixel (column 2, row 1) has green -0.5"],
+    ),
+    ("no_faces.obj", &["no triangles"]),
+    ("no_scene.gltf", &["no scene"]),
+    ("node_cycle.gltf", &["nodes[0] is met twice"]),
+    ("not_an_image.hdr", &["cannot be decoded"]),
+    ("not_json.gltf", &["the glTF is damaged"]),
+    ("not_text.obj", &["not text after byte 8"]),
+    ("percent.gltf", &["buffers[0].uri", "not UTF-8"]),
+    ("points_only.gltf", &["no triangles"]),
+    ("position_type.gltf", &["POSITION"]),
+    ("truncated.exr", &["cannot be decoded"]),
+    ("truncated.glb", &["the glTF is damaged"]),
+    ("truncated.hdr", &["cannot be decoded"]),
+    ("truncated_header.glb", &["the glTF is damaged"]),
+    (
+        "view_past_end.gltf",
+        &["POSITION", "reads past the end of buffer 0"],
+    ),
+    ("zero_area.gltf", &["no triangle", "area"]),
+    ("zero_area.obj", &["no triangle", "area"]),
+];
+
+/// Scenes that are wrong: the file that the message has to name, if not the scene, and what it has to say.
+const WRONG_SCENES: &[(&str, &str, &[&str])] = &[
+    (
+        "albedo_above_one.toml",
+        "",
+        &["line 3", "objects.albedo has 1.5 in it", "from 0 to 1"],
+    ),
+    (
+        "bad_map.toml",
+        "negative_pixel.exr",
+        &["pixel (column 2, row 1) has green -0.5"],
+    ),
+    ("bad_mesh.toml", "no_faces.obj", &["no triangles"]),
+    (
+        "fov_too_wide.toml",
+        "",
+        &["line 5", "camera.fov is 180", "from 1 to 170"],
+    ),
+    (
+        "key_typo.toml",
+        "",
+        &["line 3", "`shperes`", "did you mean `spheres`?"],
+    ),
+    ("missing_map.toml", "nowhere.hdr", &["cannot be read"]),
+    ("missing_mesh.toml", "nowhere.obj", &["cannot be read"]),
+    (
+        "nan_translate.toml",
+        "",
+        &["line 3", "objects.translate has NaN in it"],
+    ),
+    (
+        "negative_intensity.toml",
+        "",
+        &["line 5", "environment.intensity is -1"],
+    ),
+    (
+        "negative_scale.toml",
+        "",
+        &["line 3", "objects.scale is -1", "above 0"],
+    ),
+    (
+        "no_mesh_key.toml",
+        "",
+        &["line 1", "objects.mesh is missing"],
+    ),
+    ("no_objects.toml", "", &["objects is missing"]),
+    (
+        "not_toml.toml",
+        "",
+        &["line 1", "the TOML cannot be understood"],
+    ),
+    ("not_utf8.toml", "", &["not UTF-8"]),
+    (
+        "nowhere_to_look.toml",
+        "",
+        &["line 6", "camera.target is the same point as camera.eye"],
+    ),
+    (
+        "order_1.toml",
+        "",
+        &["line 5", "settings.order is 1", "from 2 to 6"],
+    ),
+    (
+        "order_7.toml",
+        "",
+        &["line 5", "settings.order is 7", "from 2 to 6"],
+    ),
+    (
+        "section_typo.toml",
+        "",
+        &["line 4", "`enviroment`", "did you mean `environment`?"],
+    ),
+    (
+        "too_many_spheres.toml",
+        "",
+        &["line 3", "objects.spheres is 5000", "from 1 to 4096"],
+    ),
+    (
+        "two_numbers.toml",
+        "",
+        &["line 3", "objects.rotate has to be three numbers"],
+    ),
+    ("unknown_map_format.toml", "empty.obj", &[".hdr", ".exr"]),
+    (
+        "unknown_mesh_format.toml",
+        "key_typo.toml",
+        &[".gltf", ".obj"],
+    ),
+    (
+        "wrong_kind.toml",
+        "",
+        &[
+            "line 3",
+            "objects.spheres has to be a whole number",
+            "not a string",
+        ],
+    ),
+    (
+        "zero_spheres.toml",
+        "",
+        &["line 3", "objects.spheres is 0", "from 1 to 4096"],
+    ),
+];
+
+fn corpus() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus")
+}
+
+fn check(file: &str, named: &str, message: &str, expected: &[&str]) {
+    let first = message
+        .split(", line")
+        .next()
+        .unwrap_or_default()
+        .split(": ")
+        .next()
+        .unwrap_or_default();
+    assert!(
+        first.ends_with(named),
+        "{file}: the message does not begin with {named}: {message}"
+    );
+    for part in expected {
+        assert!(
+            message.contains(part),
+            "{file}: `{part}` is not in: {message}"
+        );
+    }
+    assert!(
+        message.ends_with(['.', '?']),
+        "{file}: no sentence: {message}"
+    );
+    assert!(
+        !message.contains('\n'),
+        "{file}: more than a line: {message}"
+    );
+}
+
+#[test]
+fn wrong_files_are_refused_in_a_sentence() {
+    for (file, expected) in WRONG {
+        let path = corpus().join(file);
+        let error = match path.extension().and_then(|e| e.to_str()) {
+            Some("hdr" | "exr") => load_environment(&path).err(),
+            _ => load_mesh(&path).err(),
+        };
+        let message = error
+            .unwrap_or_else(|| panic!("{file} was taken"))
+            .to_string();
+        check(file, file, &message, expected);
+    }
+}
+
+#[test]
+fn wrong_scenes_are_refused_in_a_sentence() {
+    for (file, named, expected) in WRONG_SCENES {
+        let error = load_scene(&corpus().join(file)).err();
+        let message = error
+            .unwrap_or_else(|| panic!("{file} was taken"))
+            .to_string();
+        check(
+            file,
+            if named.is_empty() { file } else { named },
+            &message,
+            expected,
+        );
+    }
+}
+
+#[test]
+fn every_file_of_the_corpus_is_tried() {
+    let tried: BTreeSet<String> = WRONG
+        .iter()
+        .map(|w| w.0)
+        .chain(WRONG_SCENES.iter().map(|w| w.0))
+        .map(str::to_string)
+        .collect();
+    let there: BTreeSet<String> = std::fs::read_dir(corpus())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    assert_eq!(tried, there);
+}
+
+#[test]
+fn a_file_cut_off_anywhere_never_panics() {
+    let good = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good");
+    let folder = std::env::temp_dir().join(format!("sh-bake-cut-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    for name in [
+        "triangle.glb",
+        "polygon.obj",
+        "mirrored.gltf",
+        "skinned.gltf",
+        "ramp.exr",
+        "grey.hdr",
+    ] {
+        let bytes = std::fs::read(good.join(name)).unwrap();
+        let path = folder.join(name);
+        for length in (0..bytes.len()).step_by(1 + bytes.len() / 200) {
+            std::fs::write(&path, &bytes[..length]).unwrap();
+            // Either outcome is right (a text cut between two faces is a text): not to panic is the point.
+            let message = match name.ends_with("exr") || name.ends_with("hdr") {
+                true => load_environment(&path).err(),
+                false => load_mesh(&path).err(),
+            };
+            if let Some(error) = message {
+                assert!(error.to_string().contains(name), "{error}");
+            }
+        }
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn a_gltf_with_any_number_or_key_changed_never_panics() {
+    let good = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good");
+    let folder = std::env::temp_dir().join(format!("sh-bake-changed-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let mut tried = 0;
+    for name in ["mirrored.gltf", "skinned.gltf"] {
+        let text = std::fs::read_to_string(good.join(name)).unwrap();
+        let path = folder.join(name);
+        let mut attempt = |changed: String| {
+            tried += 1;
+            std::fs::write(&path, changed).unwrap();
+            if let Err(error) = load_mesh(&path) {
+                assert!(error.to_string().contains(name), "{error}");
+            }
+        };
+        // Numbers and keys stand on lines of their own.
+        let lines: Vec<&str> = text.lines().collect();
+        for (n, line) in lines.iter().enumerate() {
+            let with = |new: &str| {
+                let mut lines = lines.clone();
+                lines[n] = new;
+                lines.join("\n")
+            };
+            let (head, value) = line
+                .rsplit_once(": ")
+                .unwrap_or((line.trim_end_matches(char::is_alphanumeric), line));
+            let number = value.trim().trim_end_matches(',').parse::<f64>().is_ok();
+            let comma = if line.ends_with(',') { "," } else { "" };
+            if number {
+                let head = if line.contains(": ") {
+                    format!("{head}: ")
+                } else {
+                    String::new()
+                };
+                for other in [
+                    "0",
+                    "1",
+                    "2",
+                    "9",
+                    "-1",
+                    "1e39",
+                    "4294967295",
+                    "18446744073709551615",
+                ] {
+                    attempt(with(&format!("{head}{other}{comma}")));
+                }
+            }
+            if let Some((key, rest)) = line.split_once("\":") {
+                attempt(with(&format!("{key}X\":{rest}")));
+            }
+        }
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert!(tried > 500, "{tried}");
+}

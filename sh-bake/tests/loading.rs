@@ -1,0 +1,203 @@
+//! Good files give what is in them.
+
+use glam::{Affine3A, Vec3};
+use sh_bake::{SphereSet, load_environment, load_mesh, load_scene, shapes};
+use sh_scene::Mesh;
+use std::path::{Path, PathBuf};
+
+fn good(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/good")
+        .join(name)
+}
+
+/// Whether all triangles face the way their normals point.
+fn faces_outward(mesh: &Mesh) -> bool {
+    let vec = |list: &[[f32; 3]], i: u32| Vec3::from(list[i as usize]);
+    mesh.triangles.iter().all(|t| {
+        let [a, b, c] = t.map(|i| vec(&mesh.positions, i));
+        let facing = (b - a).cross(c - a);
+        t.iter().all(|&i| facing.dot(vec(&mesh.normals, i)) > 0.0)
+    })
+}
+
+#[test]
+fn polygons_are_cut_and_normals_computed() {
+    let model = load_mesh(&good("polygon.obj")).unwrap();
+    let mesh = &model.parts[0].mesh;
+    assert_eq!((model.parts.len(), mesh.triangles.len()), (1, 4));
+    assert_eq!(mesh.normals.len(), mesh.positions.len());
+    assert!(faces_outward(mesh));
+    // The pentagon and the triangle meet at a right angle: the two corners they share are split.
+    assert_eq!(mesh.positions.len(), 8);
+}
+
+#[test]
+fn triangles_without_area_are_left_out_with_a_warning() {
+    let model = load_mesh(&good("some_zero_area.obj")).unwrap();
+    assert_eq!(model.parts[0].mesh.triangles.len(), 1);
+    assert_eq!(model.warnings.len(), 1);
+    let warning = &model.warnings[0];
+    assert!(
+        warning.contains("some_zero_area.obj") && warning.contains("1 of 2"),
+        "{warning}"
+    );
+}
+
+#[test]
+fn nodes_move_and_mirror_their_meshes() {
+    let model = load_mesh(&good("mirrored.gltf")).unwrap();
+    let part = &model.parts[0];
+    // A strip of two triangles, scaled by -2 in x and moved by 10.
+    assert_eq!(part.mesh.triangles.len(), 2);
+    assert_eq!(part.mesh.positions[1], [8.0, 0.0, 0.0]);
+    assert!(faces_outward(&part.mesh));
+    assert_eq!(part.mesh.normals[0], [0.0, 0.0, 1.0]);
+    assert_eq!(part.material.albedo, [0.5, 0.25, 1.0]);
+    let texture = part.material.texture.as_ref().unwrap();
+    assert_eq!((texture.width, texture.height), (2, 1));
+    assert_eq!(texture.rgba, [255, 0, 0, 255, 0, 0, 255, 255]);
+    assert_eq!(part.mesh.uvs[1], [1.0, 1.0]);
+}
+
+#[test]
+fn a_skin_puts_the_mesh_where_its_joints_are() {
+    let model = load_mesh(&good("skinned.gltf")).unwrap();
+    // The joint's (0, 1, 5) after the inverse bind matrix' (0, -1, 0); the mesh's own node counts for
+    // nothing.
+    assert_eq!(model.parts[0].mesh.positions[0], [0.0, 0.0, 5.0]);
+    assert_eq!(model.parts[0].mesh.normals[0], [0.0, 0.0, 1.0]);
+}
+
+#[test]
+fn environments_are_read_as_radiance() {
+    let map = load_environment(&good("ramp.exr")).unwrap();
+    assert_eq!((map.width, map.height), (4, 2));
+    assert_eq!(map.pixels[6], [2.5, 1.0, 0.5]);
+    let map = load_environment(&good("grey.hdr")).unwrap();
+    // RGBE (128, 64, 32, 129): mantissa · 2^(129 - 136).
+    assert_eq!(map.pixels[3], [1.0, 0.5, 0.25]);
+}
+
+#[test]
+fn the_smallest_scene_gets_a_sensible_rest() {
+    let (scene, report) = load_scene(&good("smallest.toml")).unwrap();
+    assert_eq!(scene.objects.len(), 1);
+    assert_eq!(report.fits.len(), 1);
+    assert!(
+        report.fits[0].outside_volume_ratio.is_none(),
+        "a pentagon encloses nothing"
+    );
+    let [low, _] = scene.bounds().unwrap();
+    assert_eq!(scene.ground.unwrap().height, low.y);
+    assert_eq!((scene.settings.order, scene.settings.window), (4, 8.0));
+    let up = scene.environment.sample(Vec3::Y);
+    assert!(up[2] > up[0], "a blue sky");
+    assert!(scene.light().unwrap().irradiance([0.0, 1.0, 0.0])[1] > 0.1);
+}
+
+#[test]
+fn a_mesh_file_is_a_scene() {
+    let (scene, _) = load_scene(&good("triangle.glb")).unwrap();
+    assert_eq!(
+        scene.objects[0].name,
+        "triangle.glb: mesh 0 (flag), primitive 0"
+    );
+}
+
+#[test]
+fn a_full_scene_is_taken_at_its_word() {
+    let (scene, _) = load_scene(&good("full.toml")).unwrap();
+    let quad = &scene.objects[0];
+    let expected = Affine3A::from_translation(Vec3::new(0.0, 2.0, 0.0))
+        * Affine3A::from_rotation_y(90.0_f32.to_radians())
+        * Affine3A::from_scale(Vec3::splat(0.5));
+    assert!(quad.transform.abs_diff_eq(expected, 1e-6));
+    assert_eq!(quad.material.albedo, [0.25; 3]);
+    assert!(quad.spheres.len() <= 3 && scene.objects[1].spheres.len() <= 5);
+    assert_eq!(
+        scene.world_spheres().len(),
+        quad.spheres.len() + scene.objects[1].spheres.len()
+    );
+    assert_eq!(scene.ground.unwrap().height, -1.5);
+    assert_eq!(scene.camera.eye, Vec3::new(0.0, 1.0, 9.0));
+    assert_eq!(
+        (
+            scene.settings.order,
+            scene.settings.window,
+            scene.settings.shadows
+        ),
+        (5, 7.5, false)
+    );
+    // Turned by a quarter: one of the map's four columns, and doubled.
+    let turned = load_environment(&good("ramp.exr")).unwrap();
+    assert_eq!(
+        scene.environment.pixels[0],
+        turned.pixels[1].map(|c| 2.0 * c)
+    );
+}
+
+#[test]
+fn spheres_bound_every_shape_whatever_their_number() {
+    let shapes = [
+        shapes::ball(1.0, 3),
+        shapes::rounded_box(Vec3::new(1.0, 2.0, 0.3), 0.05),
+        shapes::torus_knot(2, 3, 1.0, 0.4, 0.15),
+        shapes::cone(1.0, 2.0),
+        shapes::capsule(0.3, 1.0),
+        shapes::twisted_column(0.2, 2.0, 2.0),
+    ];
+    for (i, mesh) in shapes.iter().enumerate() {
+        let mut last = f32::INFINITY;
+        for count in [1, 6, 30] {
+            let set = SphereSet::fit(&[mesh], count);
+            assert!(!set.spheres.is_empty() && set.spheres.len() <= count);
+            assert_eq!(set.uncovered(&[mesh]), None, "shape {i}, {count} spheres");
+            let ratio = set.outside_volume_ratio.expect("shapes are closed");
+            assert!(
+                ratio <= last * 1.02,
+                "shape {i}: {count} spheres, {last} became {ratio}"
+            );
+            last = ratio;
+        }
+    }
+}
+
+#[test]
+fn a_set_made_smaller_is_found_not_to_bound() {
+    let mesh = shapes::cone(1.0, 2.0);
+    let mut set = SphereSet::fit(&[&mesh], 8);
+    for sphere in &mut set.spheres {
+        sphere.radius *= 0.98;
+    }
+    assert!(set.uncovered(&[&mesh]).is_some());
+}
+
+#[test]
+fn the_same_mesh_gets_the_same_spheres_on_any_number_of_threads() {
+    let mesh = shapes::torus_knot(2, 3, 1.0, 0.4, 0.15);
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        pool.install(|| SphereSet::fit(&[&mesh], 24))
+    };
+    let one = on(1);
+    assert_eq!(one, on(2));
+    assert_eq!(one, on(5));
+}
+
+#[test]
+fn one_triangle_and_none_are_fitted_too() {
+    let mesh = Mesh {
+        positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        normals: vec![[0.0, 0.0, 1.0]; 3],
+        uvs: Vec::new(),
+        triangles: vec![[0, 1, 2]],
+    };
+    let set = SphereSet::fit(&[&mesh], 16);
+    assert!(!set.spheres.is_empty());
+    assert_eq!(set.uncovered(&[&mesh]), None);
+    assert!(SphereSet::fit(&[&Mesh::default()], 16).spheres.is_empty());
+}
