@@ -1,0 +1,147 @@
+//! Every generated routine on the GPU against the truth. Without an adapter the tests show as ignored, never
+//! as passed; with `GAUNT_REQUIRE_GPU=1` a missing adapter is a failure.
+
+use gaunt::gpu::Gpu;
+use libtest_mimic::{Arguments, Failed, Trial};
+use sh_codegen::emit::wgsl;
+use sh_codegen::routines::{ORDERS, ROUTINES, Routine, Shape};
+use sh_tests::accuracy::{Number, Table, error};
+use sh_tests::{case, truth::truth};
+use std::sync::Arc;
+use wgpu::BufferUsages;
+
+const CASES: usize = 24;
+
+/// Numbers of one case: all arguments one after the other.
+fn stride(routine: &Routine, order: usize) -> usize {
+    routine.arguments.iter().map(|(_, shape)| shape.len(order)).sum()
+}
+
+/// A compute shader that calls the routine once an invocation, on flat arguments.
+fn shader(routine: &Routine, order: usize) -> String {
+    let mut offset = 0;
+    let (mut reads, mut names) = (String::new(), Vec::new());
+    for (i, (_, shape)) in routine.arguments.iter().enumerate() {
+        let count = shape.len(order);
+        let at = |k: usize| format!("arguments[first + {}u]", offset + k);
+        let name = format!("argument_{}_", ["a", "b", "c", "d"][i]);
+        let value = match shape {
+            Shape::Scalar => at(0),
+            Shape::Direction => format!("vec3f({}, {}, {})", at(0), at(1), at(2)),
+            Shape::Quaternion => format!("vec4f({}, {}, {}, {})", at(0), at(1), at(2), at(3)),
+            _ => {
+                reads += &format!(
+                    "    var {name}: array<f32, {count}>;\n    for (var i = 0u; i < {count}u; i++) {{ {name}[i] = arguments[first + {offset}u + i]; }}\n"
+                );
+                name
+            }
+        };
+        names.push(value);
+        offset += count;
+    }
+    let results = routine.result.len(order);
+    let call = format!("sh{order}_{}({})", routine.name, names.join(", "));
+    let write = match routine.result {
+        Shape::Scalar => format!("    results[id.x] = {call};\n"),
+        _ => format!(
+            "    var result = {call};\n    for (var i = 0u; i < {results}u; i++) {{ results[id.x * {results}u + i] = result[i]; }}\n"
+        ),
+    };
+    format!(
+        "{}\n@group(0) @binding(0) var<storage, read> arguments: array<f32>;\n\
+         @group(0) @binding(1) var<storage, read_write> results: array<f32>;\n\
+         @compute @workgroup_size(1)\nfn main(@builtin(global_invocation_id) id: vec3u) {{\n    let first = id.x * {offset}u;\n{reads}{write}}}\n",
+        wgsl::function(routine, order)
+    )
+}
+
+/// Runs the routine on all cases, one invocation each.
+fn run(gpu: &Gpu, routine: &Routine, order: usize, arguments: &[f32]) -> Vec<f32> {
+    let count = arguments.len() / stride(routine, order);
+    let size = (count * routine.result.len(order) * 4) as u64;
+    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(routine.name),
+        source: wgpu::ShaderSource::Wgsl(shader(routine, order).into()),
+    });
+    let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some(routine.name),
+        layout: None,
+        module: &module,
+        entry_point: None,
+        compilation_options: Default::default(),
+        cache: None,
+    });
+    let buffer = |size, usage| {
+        gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size,
+            usage: BufferUsages::STORAGE | usage,
+            mapped_at_creation: false,
+        })
+    };
+    let input = buffer(arguments.len() as u64 * 4, BufferUsages::COPY_DST);
+    let output = buffer(size, BufferUsages::COPY_SRC);
+    let staging = gpu.staging(size);
+    gpu.queue.write_buffer(&input, 0, bytemuck::cast_slice(arguments));
+    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: None,
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: input.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 1, resource: output.as_entire_binding() },
+        ],
+    });
+    gpu.submit(|encoder| {
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.dispatch_workgroups(count as u32, 1, 1);
+        drop(pass);
+        encoder.copy_buffer_to_buffer(&output, 0, &staging, 0, size);
+    })
+    .expect("the shader runs");
+    gpu.read(&staging, |bytes| bytemuck::pod_collect_to_vec(bytes)).expect("results come back")
+}
+
+/// All orders of one routine within what `accuracy.toml` permits.
+fn check(gpu: &Gpu, routine: &Routine) -> Result<(), Failed> {
+    let table = Table::load();
+    let permitted = table.permitted(routine.name, Number::Gpu);
+    let mut worst = 0.0_f64;
+    for order in ORDERS {
+        let mut random = case::Random::new(order as u64);
+        let cases: Vec<Vec<Vec<f64>>> = (0..CASES)
+            .map(|i| case::arguments(routine, order, &mut random, i))
+            .map(|c| c.into_iter().map(|a| a.into_iter().map(|x| f64::from(x as f32)).collect()).collect())
+            .collect();
+        let flat: Vec<f32> = cases.iter().flatten().flatten().map(|x| *x as f32).collect();
+        let got = run(gpu, routine, order, &flat);
+        for (arguments, got) in cases.iter().zip(got.chunks(routine.result.len(order))) {
+            let want = truth(routine.name, order, arguments).expect("every routine has a truth");
+            let got: Vec<f64> = got.iter().map(|x| f64::from(*x)).collect();
+            worst = worst.max(error(&got, &want, Number::Gpu, case::scale(routine, arguments)));
+        }
+    }
+    println!("{:16} {worst:6.2} of {permitted} units", routine.name);
+    if worst > permitted {
+        return Err(format!("{}: {worst:.1} units, {permitted} permitted", routine.name).into());
+    }
+    if table.exception(routine.name, Number::Gpu).is_some() && worst <= table.default(Number::Gpu) {
+        return Err(format!("{} needs no exception: {worst:.1}", routine.name).into());
+    }
+    Ok(())
+}
+
+fn main() {
+    let mut arguments = Arguments::from_args();
+    arguments.test_threads = Some(1);
+    let required = std::env::var_os("GAUNT_REQUIRE_GPU").is_some_and(|value| value != "0");
+    let gpu = Gpu::open().map(Arc::new).map_err(|error| error.to_string());
+    let trials = ROUTINES.iter().map(|routine| {
+        let gpu = gpu.clone();
+        let missing = gpu.is_err();
+        Trial::test(routine.name, move || check(&gpu?, routine))
+            .with_ignored_flag(missing && !required)
+    });
+    libtest_mimic::run(&arguments, trials.collect()).exit();
+}
