@@ -178,3 +178,90 @@ fn replace<L: Lane>(center: [L; 3], normal: [L; 3], height: L, radius: L) -> Blo
 fn dot<L: Lane>(a: [L; 3], b: [L; 3]) -> L {
     a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The largest change of any log coefficient between neighbouring steps of a receiver's way past a sphere
+    /// of radius 1 around the origin, in f64.
+    fn largest_step(steps: u32, line: fn(f64) -> [[f64; 3]; 2]) -> f64 {
+        let ball = [Sphere {
+            center: [0.0; 3],
+            radius: 1.0,
+        }];
+        let at = |i: u32| {
+            let [position, normal] = line(f64::from(i) / f64::from(steps));
+            let length = dot(normal, normal).sqrt();
+            accumulate::<f64, 16>(position, normal.map(|x| x / length), &ball)
+        };
+        let change = |i: u32| {
+            let (a, b) = (at(i), at(i + 1));
+            a.iter()
+                .zip(b)
+                .map(|(a, b)| (a - b).abs())
+                .fold(0.0, f64::max)
+        };
+        (0..steps).map(change).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn the_log_visibility_has_no_jump() {
+        type Line = fn(f64) -> [[f64; 3]; 2];
+        let lines: [(&str, Line); 6] = [
+            ("out along the plane, centre in front", |t| {
+                [[0.05 + 3.0 * t, -0.4, 0.1], [0.0, 1.0, 0.0]]
+            }),
+            ("out along the plane, centre behind", |t| {
+                [[0.05 + 3.0 * t, 0.4, 0.1], [0.0, 1.0, 0.0]]
+            }),
+            ("from wholly in front to wholly behind, inside", |t| {
+                [[0.3, -1.5 + 3.0 * t, 0.2], [0.0, 1.0, 0.0]]
+            }),
+            ("from wholly in front to wholly behind, beside", |t| {
+                [[1.4, -1.5 + 3.0 * t, 0.2], [0.0, 1.0, 0.0]]
+            }),
+            ("out through the side at a slant", |t| {
+                [[-0.2 + 2.0 * t, -0.5 + t, 0.3], [0.3, 1.0, -0.2]]
+            }),
+            ("turning in place", |t| {
+                let (sin, cos) = (6.0 * t).sin_cos();
+                [[1.3, 0.2, 0.0], [sin, cos, 0.2]]
+            }),
+        ];
+        for (name, line) in lines {
+            // 64 times finer steps: a slope's steps become 64 times smaller, those of a square root 8 times,
+            // those of a jump stay.
+            let (coarse, fine) = (largest_step(500, line), largest_step(32_000, line));
+            assert!(coarse > 1e-4, "{name}: nothing happens");
+            assert!(fine < coarse / 7.0, "{name}: {coarse} then {fine}");
+        }
+    }
+
+    #[test]
+    fn the_rule_replaces_spheres_as_stated() {
+        let blocker =
+            |center: [f64; 3], radius: f64| replace(center, [0.0, 1.0, 0.0], center[1], radius);
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} is not {b}");
+        // In front: as it is, sin θ = r / D.
+        let whole = blocker([3.0, 4.0, 0.0], 2.0);
+        near(whole.sine, 0.4);
+        near(whole.cosine, 0.84_f64.sqrt());
+        near(whole.direction[1], 0.8);
+        // Behind, and touching from behind: nothing.
+        assert_eq!(blocker([3.0, -2.5, 0.0], 2.0).sine, 0.0);
+        assert_eq!(blocker([3.0, -2.0, 0.0], 2.0).sine, 0.0);
+        // Cut, receiver inside the circle (radius √(25 - 9) = 4): radius max(c, 0), touching the plane.
+        let inside = blocker([1.0, 3.0, 0.0], 5.0);
+        near(inside.sine, 3.0 / 10.0_f64.sqrt());
+        near(inside.cosine, 1.0 / 10.0_f64.sqrt());
+        assert_eq!(blocker([1.0, -3.0, 0.0], 5.0).sine, 0.0);
+        // From twice the circle's radius on: radius (r + c) / 2.
+        let outside = blocker([8.0, -3.0, 0.0], 5.0);
+        near(outside.sine, 1.0 / 65.0_f64.sqrt());
+        near(outside.direction[0], 8.0 / 65.0_f64.sqrt());
+        // Half way between, half of each: ρ = (1 - ½)·3 + ½·(5 + 3)/2.
+        let between = blocker([6.0, 3.0, 0.0], 5.0);
+        near(between.sine, 3.5 / (36.0 + 3.5 * 3.5_f64).sqrt());
+    }
+}
