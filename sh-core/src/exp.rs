@@ -30,7 +30,23 @@ pub fn ps_star<L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
 where
     [L; C]: Routines<L>,
 {
-    scaled(f, |h, _| series(h, degree))
+    ps_star_with(f, degree, Routines::square)
+}
+
+/// [`ps_star`] with the caller's way to call [`Routines::square`].
+///
+/// The square is some hundred operations and inlined where it is used; where that is too much code, or the
+/// routine must be entered in a certain instruction set, hand in a function that is not inlined.
+#[inline(always)]
+pub fn ps_star_with<L: Lane, const C: usize>(
+    f: &[L; C],
+    degree: usize,
+    square: impl Fn(&[L; C]) -> [L; C],
+) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    scaled(f, |h, _| series(h, degree, &square), &square)
 }
 
 /// exp*(f) by the optimal linear approximation after scaling: HYB of Ren et al. 2006.
@@ -49,59 +65,71 @@ pub fn hyb<L: Lane, const C: usize>(f: &[L; C]) -> [L; C]
 where
     [L; C]: Routines<L>,
 {
-    scaled(f, |h, norm| {
+    let linear = |h: &[L; C], norm: L| {
         let [a, b] = <[L; C]>::optimal_linear(norm);
         let mut g = h.map(|x| x * b);
         g[0] = a * a.lift(ROOT_FOUR_PI);
         g
-    })
+    };
+    scaled(f, linear, Routines::square)
 }
 
 /// DC isolation and scaling/squaring around an approximation `exp` for vectors without DC of norm < 1/4,
 /// which is given the vector and its norm.
+///
+/// The factor exp(f₀/√(4π)) is spread over the squarings, its 2^p-th root before the first: a sum over
+/// hundreds of blockers has a large f̂ and a tiny factor, and exp(f̂) alone would overflow first.
 #[inline(always)]
-fn scaled<L: Lane, const C: usize>(f: &[L; C], exp: impl Fn(&[L; C], L) -> [L; C]) -> [L; C]
+fn scaled<L: Lane, const C: usize>(
+    f: &[L; C],
+    exp: impl Fn(&[L; C], L) -> [L; C],
+    square: impl Fn(&[L; C]) -> [L; C],
+) -> [L; C]
 where
     [L; C]: Routines<L>,
 {
-    let zero = f[0].lift(0.0);
-    let mut h = *f;
-    h[0] = zero;
-    let norm = h.dot(&h).sqrt();
-    // p by comparisons: exact, and the same in every lane width and on the GPU. Lanes have their own p; the
-    // loop runs for the largest. A norm that is not finite ends at the limit instead of never.
-    let quarter = zero.lift(0.25);
-    let half = zero.lift(0.5);
-    let mut scale = zero.lift(1.0);
-    let mut squarings = zero;
+    let (zero, one) = (f[0].lift(0.0), f[0].lift(1.0));
+    let (half, quarter) = (zero.lift(0.5), zero.lift(0.25));
+    let mut rest = *f;
+    rest[0] = zero;
+    // p by comparisons: exact, and the same in every lane width and on the GPU. Every lane has its own p; the
+    // loop ends with the largest. A norm that is not finite ends at the limit instead of never.
+    let mut norm = rest.dot(&rest).sqrt();
+    let mut scale = one;
+    let mut halvings = zero;
     let mut most = 0;
     while most < MOST_HALVINGS {
-        let large = (norm * scale).lt(quarter);
-        let next = L::select(large, scale, scale * half);
-        if !L::any(next.lt(scale)) {
+        let small = norm.lt(quarter);
+        let finer = L::select(small, scale, scale * half);
+        if !L::any(finer.lt(scale)) {
             break;
         }
-        squarings = L::select(next.lt(scale), squarings + zero.lift(1.0), squarings);
-        scale = next;
+        halvings = L::select(small, halvings, halvings + one);
+        norm = L::select(small, norm, norm * half);
+        scale = finer;
         most += 1;
     }
-    let mut g = exp(&h.map(|x| x * scale), norm * scale);
+    let root = (f[0] * scale * zero.lift(1.0 / ROOT_FOUR_PI)).exp();
+    let mut g = exp(&rest.map(|x| x * scale), norm).map(|x| x * root);
     let mut done = zero;
     for _ in 0..most {
-        let squared = g.square();
-        let more = done.lt(squarings);
+        let squared = square(&g);
+        let more = done.lt(halvings);
         for (a, b) in g.iter_mut().zip(squared) {
             *a = L::select(more, b, *a);
         }
-        done = done + zero.lift(1.0);
+        done = done + one;
     }
-    let dc = (f[0] * zero.lift(1.0 / ROOT_FOUR_PI)).exp();
-    g.map(|x| x * dc)
+    g
 }
 
 /// Σ_k f^k/k! up to `degree`, even and odd powers apart (eq. 22).
 #[inline(always)]
-fn series<L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
+fn series<L: Lane, const C: usize>(
+    f: &[L; C],
+    degree: usize,
+    square: impl Fn(&[L; C]) -> [L; C],
+) -> [L; C]
 where
     [L; C]: Routines<L>,
 {
@@ -114,9 +142,9 @@ where
         }
         return even;
     }
-    let square = f.square();
+    let squared = square(f);
     let mut odd = even;
-    let mut power = square;
+    let mut power = squared;
     let mut factorial = 1.0;
     for k in 2..=degree {
         factorial *= k as f64;
@@ -126,7 +154,7 @@ where
             *a = b.mul_add(weight, *a);
         }
         if k % 2 == 1 && k < degree {
-            power = power.product(&square);
+            power = power.product(&squared);
         }
     }
     // Degree 2 has no odd power but f itself: no product is spent on it.
