@@ -13,6 +13,10 @@ pub(crate) const STRIDE: u64 = 256;
 /// in the picture: 16 rows of pixels, 16 bytes a pixel.
 const ROW_STEP: u32 = 16 * View::OVERSAMPLE;
 
+/// The near plane, for a camera that looks at something 1 away. Depth is a float that is largest there, so
+/// that it costs no precision to put it this near.
+const NEAR: f32 = 1e-4;
+
 /// The bands of a picture of a given size, top to bottom, and their records on the GPU.
 #[derive(Debug)]
 pub struct Bands {
@@ -109,6 +113,19 @@ impl Bands {
     /// Uploads camera and ground for what is submitted next. The view must have the size the bands were
     /// made for.
     pub fn prepare(&self, queue: &Queue, view: &View, ground: Option<Ground>) -> Result<(), Error> {
+        let mut bytes = vec![0; self.buffer.size() as usize];
+        for band in 0..self.count() {
+            let record = self.camera(view, ground, band)?;
+            let at = band as usize * STRIDE as usize;
+            bytes[at..at + size_of::<Band>()].copy_from_slice(bytemuck::bytes_of(&record));
+        }
+        queue.write_buffer(&self.buffer, 0, &bytes);
+        Ok(())
+    }
+
+    /// The camera of one band, for a host that draws into it itself
+    /// ([`GbufferPass::record_with`](crate::GbufferPass::record_with)).
+    pub fn camera(&self, view: &View, ground: Option<Ground>, band: u32) -> Result<Band, Error> {
         let (width, height) = (view.width, view.height);
         let fail = |problem| {
             Err(Error::View {
@@ -120,6 +137,9 @@ impl Bands {
         if (width, height) != (self.width, self.height) {
             return fail("has another size than the bands were made for");
         }
+        if self.rows(band) == 0 {
+            return fail("has fewer bands than asked for");
+        }
         let reach = view.camera.target.distance(view.camera.eye);
         if !(reach > 0.0 && reach.is_finite()) {
             return fail("has no direction; eye and target must be finite and apart");
@@ -127,17 +147,7 @@ impl Bands {
         if !(view.camera.fov > 0.0 && view.camera.fov < std::f32::consts::PI) {
             return fail("has no angle; the field of view must lie between 0 and π");
         }
-        let mut bytes = vec![0; self.buffer.size() as usize];
-        for band in 0..self.count() {
-            let record = self.record(view, ground, reach * 1e-4, band);
-            let at = band as usize * STRIDE as usize;
-            bytes[at..at + size_of::<Band>()].copy_from_slice(bytemuck::bytes_of(&record));
-        }
-        queue.write_buffer(&self.buffer, 0, &bytes);
-        Ok(())
-    }
-
-    fn record(&self, view: &View, ground: Option<Ground>, near: f32, band: u32) -> Band {
+        let near = reach * NEAR;
         let [right, up, forward] = view.axes();
         let tall = (view.camera.fov * 0.5).tan();
         let wide = tall * view.width as f32 / view.height as f32;
@@ -152,7 +162,7 @@ impl Bands {
             Vec4::Z,
             Vec4::new(0.0, shift, 0.0, 1.0),
         );
-        Band {
+        Ok(Band {
             clip_from_world: fit * view.clip_from_world(near),
             eye: view.camera.eye,
             near,
@@ -167,7 +177,7 @@ impl Bands {
             padding: 0,
             ground_albedo: ground.map_or(Vec3::ZERO, |g| g.albedo.into()),
             tail: 0,
-        }
+        })
     }
 
     /// The record of one band, to be chosen by a dynamic offset of `band * STRIDE`.

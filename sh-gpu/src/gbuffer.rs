@@ -41,6 +41,13 @@ impl GbufferPass {
 
     /// Makes pipelines and targets for the bands of a picture.
     pub fn new(device: &Device, bands: &Bands) -> Result<Self, Error> {
+        let bytes = device.limits().max_color_attachment_bytes_per_sample.into();
+        Error::within(
+            "a sample",
+            32,
+            "max_color_attachment_bytes_per_sample",
+            bytes,
+        )?;
         let module = shader(device, Pass::Gbuffer, MIN_ORDER)?;
         let uniform = BufferBindingType::Uniform;
         let band_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -150,7 +157,8 @@ impl GbufferPass {
     }
 
     /// As [`record`](Self::record), but the host draws. `draw` is given the render pass with the viewport
-    /// set to the band's samples, and has to write both targets as their formats say.
+    /// set to the band's samples, and has to write both targets as their formats say, through
+    /// [`Bands::camera`]. What it leaves alone is sky.
     pub fn record_with(
         &self,
         encoder: &mut CommandEncoder,

@@ -48,6 +48,22 @@ pub(crate) fn texture_entry(
 /// The shader module of a pass.
 pub(crate) fn shader(device: &Device, pass: Pass, order: usize) -> Result<ShaderModule, Error> {
     let source = sh_kernels::source(pass, order).ok_or(Error::Order(order))?;
+    let limits = device.limits();
+    let (needed, available) = (4, limits.max_storage_buffers_per_shader_stage.into());
+    Error::within(
+        "a pass",
+        needed,
+        "max_storage_buffers_per_shader_stage",
+        available,
+    )?;
+    let available = limits.max_compute_invocations_per_workgroup.into();
+    let needed = WORKGROUP.into();
+    Error::within(
+        "a workgroup",
+        needed,
+        "max_compute_invocations_per_workgroup",
+        available,
+    )?;
     Ok(device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(&format!("gaunt {} order {order}", pass.name())),
         source: wgpu::ShaderSource::Wgsl(source.into()),

@@ -25,6 +25,13 @@ fn gbuffer(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Receiver>, Vec<[f32; 4
         .unwrap();
     bands.prepare(&gpu.queue, view, scene.ground).unwrap();
     bodies.prepare(&gpu.queue, scene).unwrap();
+    // Something else first: a host that draws nothing sees nothing, and leaves nothing behind.
+    gpu.submit(|encoder| {
+        pass.record(encoder, &bands, 0, &bodies, &bound, None);
+        pass.record_with(encoder, &bands, 0, |_| {}, &bound, None);
+    });
+    let nothing: Vec<Receiver> = gpu.read(&receivers);
+    assert!(nothing.iter().all(|receiver| receiver.covered == 0));
     gpu.submit(|encoder| pass.record(encoder, &bands, 0, &bodies, &bound, None));
     (gpu.read(&receivers), gpu.read(&albedo))
 }
