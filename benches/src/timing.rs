@@ -54,3 +54,26 @@ pub fn median_ratio(a: &[f64], b: &[f64]) -> f64 {
     let ratios: Vec<f64> = a.iter().zip(b).map(|(a, b)| a / b).collect();
     median(&ratios)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_disturbed_round_does_not_count() {
+        let (a, b) = ([2.0, 90.0, 2.2], [1.0, 1.1, 1.0]);
+        assert_eq!((minimum(&a), median(&a)), (2.0, 2.2));
+        assert_eq!(median_ratio(&a, &b), 2.2);
+    }
+
+    #[test]
+    fn every_round_has_one_sample_of_each() {
+        let (mut first, mut second) = (0, 0);
+        let mut runs: Vec<Box<dyn FnMut() + '_>> =
+            vec![Box::new(|| first += 1), Box::new(|| second += 1)];
+        let samples = in_turns(&mut runs, 4);
+        drop(runs);
+        assert_eq!(samples.iter().map(Vec::len).collect::<Vec<_>>(), [4, 4]);
+        assert!(first > 4 && second > 4);
+    }
+}
