@@ -22,7 +22,7 @@ pub struct Picture {
 }
 
 /// What a white surface under the average light becomes on a screen, in linear terms before the tone curve.
-const MIDDLE: f64 = 0.40;
+const MIDDLE: f64 = 0.45;
 
 /// Where the tone curve leaves the straight line, in linear terms.
 const SHOULDER: f32 = 0.6;
@@ -31,7 +31,7 @@ const SHOULDER: f32 = 0.6;
 const BLEACH: f32 = 0.15;
 
 /// The factor that brings the luminance of a white diffuse surface, under this light without shadows and
-/// averaged over all directions it may face, to 0.40: 0.67 of an sRGB screen's range. 1 for a dark light.
+/// averaged over all directions it may face, to 0.45: 0.70 of an sRGB screen's range. 1 for a dark light.
 ///
 /// That average is the mean radiance: all bands but the first average to 0, and a cosine lobe over π
 /// integrates to 1.
@@ -39,7 +39,7 @@ const BLEACH: f32 = 0.15;
 /// ```
 /// use sh_scene::Light;
 /// let gray = Light { order: 2, coefficients: vec![[3.5449077; 3], [0.0; 3], [0.0; 3], [0.0; 3]] };
-/// assert!((gaunt::image::exposure(&gray) - 0.4).abs() < 1e-6);
+/// assert!((gaunt::image::exposure(&gray) - 0.45).abs() < 1e-6);
 /// ```
 pub fn exposure(light: &Light) -> f32 {
     let [r, g, b] = light
@@ -79,14 +79,34 @@ pub fn tone(color: [f32; 3]) -> [f32; 3] {
     })
 }
 
-/// The sRGB encoding (IEC 61966-2-1) of a linear value in 0..1, to 8 bits.
-pub fn srgb(linear: f32) -> u8 {
+/// The sRGB encoding (IEC 61966-2-1) of a linear value in 0..1, in 0..=255.
+fn srgb(linear: f32) -> f32 {
     let encoded = if linear <= 0.003_130_8 {
         12.92 * linear
     } else {
         1.055 * linear.powf(1.0 / 2.4) - 0.055
     };
-    (encoded * 255.0 + 0.5) as u8
+    encoded * 255.0
+}
+
+/// A pixel as a screen shows it: exposed, toned, encoded, and dithered to 8 bits.
+///
+/// Soft shadows on a wide plane change by less than one of 256 steps over many pixels, and the eye sees
+/// every such step as a contour. So each value is rounded up as often as its fraction says, in the pattern of
+/// interleaved gradient noise (Jimenez 2014). Pure black and white stay what they are.
+///
+/// ```
+/// use gaunt::image::screen;
+/// assert_eq!(screen([0.0, 0.0, 0.0], 3, 4), [0, 0, 0]);
+/// // 0.5 encodes to 187.5.
+/// let gray = |x| screen([0.5; 3], x, 0)[0];
+/// assert!((0..100).all(|x| gray(x) == 187 || gray(x) == 188));
+/// ```
+pub fn screen(color: [f32; 3], x: u32, y: u32) -> [u8; 3] {
+    let along = 0.067_110_56 * f64::from(x) + 0.005_837_15 * f64::from(y);
+    let threshold = (52.982_918_9 * along.fract()).fract() as f32;
+    // Casting cuts the fraction off, and what is above 255.
+    tone(color).map(|c| (srgb(c) + threshold) as u8)
 }
 
 /// The kinds of files that pictures are written to.
@@ -195,10 +215,10 @@ impl PictureFile {
         let failed = |source| Error::Encode { path, source };
         self.output.finish(|writer| match self.kind {
             Kind::Png => {
-                let bytes: Vec<u8> = picture
-                    .pixels
-                    .iter()
-                    .flat_map(|pixel| tone(pixel.map(|c| c * exposure)).map(srgb))
+                let rows = picture.pixels.chunks(width as usize).zip(0..);
+                let bytes: Vec<u8> = rows
+                    .flat_map(|(row, y)| row.iter().zip(0..).map(move |(pixel, x)| (pixel, x, y)))
+                    .flat_map(|(pixel, x, y)| screen(pixel.map(|c| c * exposure), x, y))
                     .collect();
                 image::codecs::png::PngEncoder::new(writer)
                     .write_image(&bytes, width, height, ExtendedColorType::Rgb8)
@@ -259,10 +279,32 @@ mod tests {
 
     #[test]
     fn srgb_meets_its_fixed_points() {
-        assert_eq!(
-            [srgb(0.0), srgb(1.0), srgb(0.214_041_14), srgb(0.001)],
-            [0, 255, 128, 3]
-        );
+        for (linear, encoded) in [
+            (0.0, 0.0),
+            (1.0, 255.0),
+            (0.214_041_14, 127.5),
+            (0.001, 3.2946),
+        ] {
+            assert!(
+                (srgb(linear) - encoded).abs() < 1e-3,
+                "{linear}: {}",
+                srgb(linear)
+            );
+        }
+    }
+
+    #[test]
+    fn dither_keeps_the_mean_of_every_shade() {
+        for i in 0..60 {
+            let shade = i as f32 / 100.0;
+            let values = (0..64 * 64).map(|at| screen([shade; 3], at % 64, at / 64)[0]);
+            let mean = values.map(f64::from).sum::<f64>() / (64.0 * 64.0);
+            assert!(
+                (mean - f64::from(srgb(shade))).abs() < 0.05,
+                "{shade}: {mean}"
+            );
+        }
+        assert_eq!(screen([1e9; 3], 5, 7), [255; 3]);
     }
 
     #[test]

@@ -1,6 +1,5 @@
 //! `gaunt render`: from a scene file to a picture file.
 
-mod cpu;
 mod gpu;
 
 use crate::Error;
@@ -63,7 +62,7 @@ impl Default for Options {
     }
 }
 
-/// Everything that a backend needs for a picture.
+/// Everything that the GPU needs for a picture.
 struct Frame<'a> {
     scene: &'a Scene,
     plan: &'a Plan,
@@ -93,27 +92,36 @@ pub fn render(options: &Options) -> Result<Report, Error> {
     let settings = scene.settings;
     let light = times.measure("light", || scene.light())?;
     let plan = Plan::new(&scene);
-    let view = View {
-        camera: scene.camera,
-        width: options.size[0],
-        height: options.size[1],
-    };
+    let [width, height] = options.size;
 
     progress.say("rendering");
-    let frame = Frame {
-        scene: &scene,
-        plan: &plan,
-        view: &view,
-        light: &light,
-    };
     let pixels = match &choice.gpu {
-        Some(gpu) => gpu::picture(gpu, &frame, &mut times)?,
-        None => cpu::picture(&frame, &mut times, &progress)?,
+        Some(gpu) => {
+            let view = View {
+                camera: scene.camera,
+                width,
+                height,
+            };
+            let frame = Frame {
+                scene: &scene,
+                plan: &plan,
+                view: &view,
+                light: &light,
+            };
+            gpu::picture(gpu, &frame, &mut times)?
+        }
+        None => {
+            let frame = sh_cpu::render(&scene, &plan, (width, height), &|part| progress.set(part))?;
+            for (stage, time) in frame.stages {
+                times.add(stage, time.as_secs_f64());
+            }
+            frame.pixels
+        }
     };
     let exposure = exposure(&light) * options.stops.exp2();
     let picture = Picture {
-        width: view.width,
-        height: view.height,
+        width,
+        height,
         pixels,
     };
     times.measure("write", || file.finish(picture, exposure))?;
@@ -121,8 +129,8 @@ pub fn render(options: &Options) -> Result<Report, Error> {
 
     let summary = Report {
         picture: options.out.clone(),
-        width: view.width,
-        height: view.height,
+        width,
+        height,
         backend: if choice.gpu.is_some() { "gpu" } else { "cpu" },
         device: match &choice.gpu {
             Some(gpu) => gpu.name.clone(),
