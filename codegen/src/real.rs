@@ -147,10 +147,7 @@ mod tests {
     #[test]
     fn thirty_digits() {
         let third = Real::from(1.0) / Real::from(3.0);
-        assert_eq!(
-            (third * Real::from(3.0) - Real::from(1.0)).hi.abs() < 1e-31,
-            true
-        );
+        assert!((third * Real::from(3.0) - Real::from(1.0)).hi.abs() < 1e-31);
         let root = Real::from(2.0).sqrt();
         assert!((root * root - Real::from(2.0)).hi.abs() < 1e-31);
         assert_eq!(Real::from_i128((1 << 100) + 1).lo, 1.0);

@@ -14,7 +14,11 @@ const CASES: usize = 24;
 
 /// Numbers of one case: all arguments one after the other.
 fn stride(routine: &Routine, order: usize) -> usize {
-    routine.arguments.iter().map(|(_, shape)| shape.len(order)).sum()
+    routine
+        .arguments
+        .iter()
+        .map(|(_, shape)| shape.len(order))
+        .sum()
 }
 
 /// A compute shader that calls the routine once an invocation, on flat arguments.
@@ -59,18 +63,22 @@ fn shader(routine: &Routine, order: usize) -> String {
 fn run(gpu: &Gpu, routine: &Routine, order: usize, arguments: &[f32]) -> Vec<f32> {
     let count = arguments.len() / stride(routine, order);
     let size = (count * routine.result.len(order) * 4) as u64;
-    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(routine.name),
-        source: wgpu::ShaderSource::Wgsl(shader(routine, order).into()),
-    });
-    let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some(routine.name),
-        layout: None,
-        module: &module,
-        entry_point: None,
-        compilation_options: Default::default(),
-        cache: None,
-    });
+    let module = gpu
+        .device
+        .create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(routine.name),
+            source: wgpu::ShaderSource::Wgsl(shader(routine, order).into()),
+        });
+    let pipeline = gpu
+        .device
+        .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(routine.name),
+            layout: None,
+            module: &module,
+            entry_point: None,
+            compilation_options: Default::default(),
+            cache: None,
+        });
     let buffer = |size, usage| {
         gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
@@ -82,13 +90,20 @@ fn run(gpu: &Gpu, routine: &Routine, order: usize, arguments: &[f32]) -> Vec<f32
     let input = buffer(arguments.len() as u64 * 4, BufferUsages::COPY_DST);
     let output = buffer(size, BufferUsages::COPY_SRC);
     let staging = gpu.staging(size);
-    gpu.queue.write_buffer(&input, 0, bytemuck::cast_slice(arguments));
+    gpu.queue
+        .write_buffer(&input, 0, bytemuck::cast_slice(arguments));
     let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: None,
         layout: &pipeline.get_bind_group_layout(0),
         entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: input.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 1, resource: output.as_entire_binding() },
+            wgpu::BindGroupEntry {
+                binding: 0,
+                resource: input.as_entire_binding(),
+            },
+            wgpu::BindGroupEntry {
+                binding: 1,
+                resource: output.as_entire_binding(),
+            },
         ],
     });
     gpu.submit(|encoder| {
@@ -100,7 +115,8 @@ fn run(gpu: &Gpu, routine: &Routine, order: usize, arguments: &[f32]) -> Vec<f32
         encoder.copy_buffer_to_buffer(&output, 0, &staging, 0, size);
     })
     .expect("the shader runs");
-    gpu.read(&staging, |bytes| bytemuck::pod_collect_to_vec(bytes)).expect("results come back")
+    gpu.read(&staging, |bytes| bytemuck::pod_collect_to_vec(bytes))
+        .expect("results come back")
 }
 
 /// All orders of one routine within what `accuracy.toml` permits.
@@ -112,14 +128,28 @@ fn check(gpu: &Gpu, routine: &Routine) -> Result<(), Failed> {
         let mut random = case::Random::new(order as u64);
         let cases: Vec<Vec<Vec<f64>>> = (0..CASES)
             .map(|i| case::arguments(routine, order, &mut random, i))
-            .map(|c| c.into_iter().map(|a| a.into_iter().map(|x| f64::from(x as f32)).collect()).collect())
+            .map(|c| {
+                c.into_iter()
+                    .map(|a| a.into_iter().map(|x| f64::from(x as f32)).collect())
+                    .collect()
+            })
             .collect();
-        let flat: Vec<f32> = cases.iter().flatten().flatten().map(|x| *x as f32).collect();
+        let flat: Vec<f32> = cases
+            .iter()
+            .flatten()
+            .flatten()
+            .map(|x| *x as f32)
+            .collect();
         let got = run(gpu, routine, order, &flat);
         for (arguments, got) in cases.iter().zip(got.chunks(routine.result.len(order))) {
             let want = truth(routine.name, order, arguments).expect("every routine has a truth");
             let got: Vec<f64> = got.iter().map(|x| f64::from(*x)).collect();
-            worst = worst.max(error(&got, &want, Number::Gpu, case::scale(routine, arguments)));
+            worst = worst.max(error(
+                &got,
+                &want,
+                Number::Gpu,
+                case::scale(routine, arguments),
+            ));
         }
     }
     println!("{:16} {worst:6.2} of {permitted} units", routine.name);

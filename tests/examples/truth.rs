@@ -1,0 +1,133 @@
+//! A picture beside its truth: `cargo run --release -p sh-tests --example truth -- SCENE.toml OUT.png [WIDTH [RAYS]]`.
+//!
+//! Left what the shadow pass makes; right the same light (the same SH vector) with visibility from rays against
+//! the real triangles; below the difference, grey where there is none. Prints the RMS and the mean of the
+//! difference in luminance relative to the mean. `default` in place of a scene is the built-in one.
+
+use gaunt::image::{exposure, srgb, tone};
+use sh_cpu::{Gbuffer, Geometry};
+use sh_reference::{basis, raycast, sampled};
+use sh_scene::{Light, Receiver, View};
+
+type Row = Vec<[f32; 3]>;
+
+/// Radiance that albedo 1 reflects at a receiver: rays over the sphere of directions.
+fn truth(
+    caster: &raycast::Caster,
+    light: &[Vec<f64>; 3],
+    rays: &[[f64; 3]],
+    receiver: &Receiver,
+) -> [f32; 3] {
+    let normal = receiver.normal.map(f64::from);
+    let origin = std::array::from_fn(|i| f64::from(receiver.position[i]) + 1e-4 * normal[i]);
+    let mut sum = [0.0; 3];
+    for direction in rays {
+        let cosine: f64 = (0..3).map(|i| direction[i] * normal[i]).sum();
+        if cosine > 0.0 && !caster.blocked(origin, *direction, 0.0) {
+            for (sum, light) in sum.iter_mut().zip(light) {
+                *sum += cosine * basis::evaluate(light, *direction);
+            }
+        }
+    }
+    sum.map(|s| (s * 4.0 / rays.len() as f64).max(0.0) as f32)
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [scene, output, ..] = &arguments[..] else {
+        eprintln!("usage: truth SCENE.toml|default OUT.png [WIDTH [RAYS]]");
+        std::process::exit(1);
+    };
+    let number = |i: usize, default: usize| {
+        arguments
+            .get(i)
+            .map_or(default, |a| a.parse().expect("a number"))
+    };
+    let (width, rays) = (number(2, 320), sampled::directions(number(3, 1024)));
+    let scene = match scene.as_str() {
+        "default" => sh_bake::default_scene(&|_| {}).0,
+        path => {
+            sh_bake::load_scene(path.as_ref())
+                .unwrap_or_else(|e| panic!("{e}"))
+                .0
+        }
+    };
+    let height = width * 9 / 16;
+    let view = View {
+        camera: scene.camera,
+        width: width as u32,
+        height: height as u32,
+    };
+    let settings = &scene.settings;
+    let light = Light::project(
+        &scene.environment,
+        scene.ground,
+        settings.order,
+        settings.window,
+    )
+    .expect("a light");
+    let channels: [Vec<f64>; 3] =
+        std::array::from_fn(|c| light.coefficients.iter().map(|x| f64::from(x[c])).collect());
+    let caster = raycast::Caster::new(
+        scene
+            .objects
+            .iter()
+            .flat_map(raycast::world_triangles)
+            .collect(),
+    );
+    let geometry = Geometry::new(&scene).expect("a scene that can be cast");
+    let spheres = scene.world_spheres();
+    let exposure = exposure(&light);
+
+    let mut picture = image::RgbImage::new(2 * width as u32, 2 * height as u32);
+    let (mut square, mut bias, mut mean, mut count) = (0.0, 0.0, 0.0, 0.0);
+    let mut samples = Gbuffer::default();
+    for y in 0..height {
+        sh_cpu::gbuffer(
+            &geometry,
+            &view,
+            2 * y as u32..2 * y as u32 + 1,
+            &mut samples,
+        )
+        .expect("a row");
+        let receivers: Vec<Receiver> = samples.receivers.iter().step_by(2).copied().collect();
+        let mut ours: Row = vec![[0.0; 3]; receivers.len()];
+        sh_cpu::shadow(&receivers, &spheres, &light, &mut ours).expect("a shadow");
+        for (x, receiver) in receivers.iter().enumerate() {
+            let albedo = samples.albedo[2 * x];
+            let truth = if receiver.covered == 0 {
+                [0.0; 3]
+            } else {
+                truth(&caster, &channels, &rays, receiver)
+            };
+            let shown = |c: [f32; 3]| {
+                let exposed = std::array::from_fn(|i| c[i] * albedo[i] * exposure);
+                image::Rgb(tone(exposed).map(srgb))
+            };
+            let luminance = |c: [f32; 3]| f64::from(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]);
+            let difference = luminance(ours[x]) - luminance(truth);
+            if receiver.covered != 0 {
+                square += difference * difference;
+                bias += difference;
+                mean += luminance(truth);
+                count += 1.0;
+            }
+            picture.put_pixel(x as u32, y as u32, shown(ours[x]));
+            picture.put_pixel((x + width) as u32, y as u32, shown(truth));
+            let signed = std::array::from_fn(|i| 0.5 + 0.5 * (ours[x][i] - truth[i]) * exposure);
+            picture.put_pixel(
+                x as u32,
+                (y + height) as u32,
+                image::Rgb(tone(signed).map(srgb)),
+            );
+        }
+    }
+    let mean = mean / count;
+    println!(
+        "order {}: RMS {:.4}, bias {:+.4} of the mean radiance",
+        settings.order,
+        (square / count).sqrt() / mean,
+        bias / count / mean
+    );
+    picture.save(output).expect("the picture is written");
+}
