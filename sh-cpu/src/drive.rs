@@ -57,7 +57,11 @@ macro_rules! group {
             type Token = S;
             #[inline(always)]
             fn gather(token: S, value: impl Fn(usize) -> f32) -> Self {
-                Self::from_array(token, core::array::from_fn(value))
+                let mut values = [0.0; _];
+                for (i, slot) in values.iter_mut().enumerate() {
+                    *slot = value(i);
+                }
+                Self::from_array(token, values)
             }
             #[inline(always)]
             fn scatter(self, mut take: impl FnMut(usize, f32)) {
@@ -179,8 +183,12 @@ fn groups<G: Group + Outline<C>, K: Kernel, const C: usize>(
                 .filter(|receiver| receiver.covered != 0)
                 .unwrap_or(spare)
         };
-        let position = core::array::from_fn(|k| G::gather(token, |i| at(i).position[k]));
-        let normal = core::array::from_fn(|k| G::gather(token, |i| at(i).normal[k]));
+        // Plain loops and array literals: closures of the standard library's array functions are not always
+        // inlined, and would be compiled without the instruction set.
+        let position = |k: usize| G::gather(token, |i| at(i).position[k]);
+        let normal = |k: usize| G::gather(token, |i| at(i).normal[k]);
+        let position = [position(0), position(1), position(2)];
+        let normal = [normal(0), normal(1), normal(2)];
         let shaded = kernel.shade::<G, C>(position, normal);
         for (k, channel) in shaded.into_iter().enumerate() {
             channel.scatter(|i, value| {

@@ -43,7 +43,10 @@ where
         *band = *band * scale;
     }
     let squared = L::square(&rest);
-    let mut g: [L; C] = core::array::from_fn(|i| constant * squared[i].mul_add(half, rest[i]));
+    let mut g = rest;
+    for (g, squared) in g.iter_mut().zip(squared) {
+        *g = constant * squared.mul_add(half, *g);
+    }
     g[0] = constant.mul_add(zero.lift(ROOT_FOUR_PI), g[0]);
     let mut done = zero;
     for _ in 0..most {

@@ -68,12 +68,13 @@ where
     [L; C]: Routines<L>,
 {
     let zero = normal[0].lift(0.0);
-    light_dot::<L, C>(&<[L; C]>::cosine(normal), light).map(|x| x.max(zero))
+    let [red, green, blue] = reflected::<L, C>(&<[L; C]>::cosine(normal), light);
+    [red.max(zero), green.max(zero), blue.max(zero)]
 }
 
 /// The light's three channels dotted with an SH vector.
 #[inline(always)]
-pub(crate) fn light_dot<L: Lane, const C: usize>(f: &[L; C], light: &[[f32; 3]]) -> [L; 3] {
+pub(crate) fn reflected<L: Lane, const C: usize>(f: &[L; C], light: &[[f32; 3]]) -> [L; 3] {
     let zero = f[0].lift(0.0);
     let mut sum = [zero; 3];
     for (coefficient, light) in f.iter().zip(light) {

@@ -5,12 +5,14 @@
 //! `#[inline(always)]`: code written against [`Lane`] turns into those instructions when, and only when,
 //! it is inlined into a function that `fearless_simd::dispatch!` has entered.
 //!
-//! | level | `Lanes8` | `Lanes16` | `mul_add` |
-//! |---|---|---|---|
-//! | SSE2, SSE4.2 | 2 registers | 4 registers | two roundings |
-//! | AVX2 | 1 | 2 | fused |
-//! | AVX-512 | 1 (half) | 1 | fused |
-//! | Neon | 2 | 4 | fused |
+//! Registers that a value takes:
+//!
+//! | level | [`Lanes4`] | [`Lanes8`] | [`Lanes16`] | `mul_add` |
+//! |---|---|---|---|---|
+//! | SSE2, SSE4.2 | 1 | 2 | 4 | two roundings |
+//! | AVX2 | half | 1 | 2 | fused |
+//! | AVX-512 | quarter | half | 1 | fused |
+//! | Neon | 1 | 2 | 4 | fused |
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use fearless_simd::prelude::*;

@@ -26,14 +26,14 @@ where
 }
 
 macro_rules! scalar {
-    ($t:ty, $c:literal) => {
+    ($t:ty, $c:literal, $inline:meta) => {
         impl Outline<$c> for $t {
-            #[inline(never)]
+            #[$inline]
             fn square(f: &[Self; $c]) -> [Self; $c] {
                 Routines::square(f)
             }
 
-            #[inline(never)]
+            #[$inline]
             fn product_cosine(f: &[Self; $c], normal: [Self; 3]) -> [Self; $c] {
                 Routines::product_cosine(f, normal)
             }
@@ -67,6 +67,30 @@ macro_rules! register {
     };
 }
 
+/// Both halves of every vector in an array.
+macro_rules! halves {
+    ($vectors:expr, $count:literal) => {{
+        let (low, high) = $vectors[0].split();
+        let (mut lows, mut highs) = ([low; $count], [high; $count]);
+        for (i, vector) in $vectors.iter().enumerate() {
+            (lows[i], highs[i]) = vector.split();
+        }
+        (lows, highs)
+    }};
+}
+
+/// Both halves in the place of whole vectors of the same type as `$like`.
+macro_rules! joined {
+    ($like:expr, $low:expr, $high:expr) => {{
+        let (low, high) = ($low, $high);
+        let mut joined = *$like;
+        for (i, whole) in joined.iter_mut().enumerate() {
+            *whole = Self::join(low[i], high[i]);
+        }
+        joined
+    }};
+}
+
 macro_rules! wide {
     ($lanes:ident, $half:ident, $c:literal) => {
         impl<S: Simd> Outline<$c> for $lanes<S> {
@@ -77,9 +101,8 @@ macro_rules! wide {
                     return whole!(simd, Routines::square(f));
                 }
                 whole!(simd, {
-                    let low = $half::square(&f.map(|x| x.split().0));
-                    let high = $half::square(&f.map(|x| x.split().1));
-                    core::array::from_fn(|i| Self::join(low[i], high[i]))
+                    let (low, high) = halves!(f, $c);
+                    joined!(f, $half::square(&low), $half::square(&high))
                 })
             }
 
@@ -90,10 +113,10 @@ macro_rules! wide {
                     return whole!(simd, Routines::product_cosine(f, normal));
                 }
                 whole!(simd, {
-                    let (low, high) = (normal.map(|x| x.split().0), normal.map(|x| x.split().1));
-                    let low = $half::product_cosine(&f.map(|x| x.split().0), low);
-                    let high = $half::product_cosine(&f.map(|x| x.split().1), high);
-                    core::array::from_fn(|i| Self::join(low[i], high[i]))
+                    let (low, high) = halves!(f, $c);
+                    let (n_low, n_high) = halves!(&normal, 3);
+                    let low = $half::product_cosine(&low, n_low);
+                    joined!(f, low, $half::product_cosine(&high, n_high))
                 })
             }
         }
@@ -102,8 +125,9 @@ macro_rules! wide {
 
 macro_rules! orders {
     ($($c:literal)*) => { $(
-        scalar!(f32, $c);
-        scalar!(f64, $c);
+        scalar!(f32, $c, inline(never));
+        // No pass computes in f64: compiled where somebody uses it.
+        scalar!(f64, $c, inline);
         register!(Lanes4, $c);
         wide!(Lanes8, Lanes4, $c);
         wide!(Lanes16, Lanes8, $c);

@@ -16,7 +16,7 @@
 
 use crate::drive::{Kernel, drive};
 use crate::exponential::exponential;
-use crate::irradiance::{light_dot, unblocked};
+use crate::irradiance::{reflected, unblocked};
 use crate::outline::Outline;
 use crate::{Error, Path};
 use sh_core::{Lane, Routines};
@@ -87,9 +87,9 @@ where
     let log_visibility = accumulate::<L, C>(position, normal, spheres);
     let visibility = exponential(&log_visibility);
     let open = unblocked::<L, C>(normal, light);
-    let shadowed = light_dot(&L::product_cosine(&visibility, normal), light);
+    let shadowed = reflected(&L::product_cosine(&visibility, normal), light);
     // A sum of blockers beyond the range of the series is not a number, and fails the comparison.
-    core::array::from_fn(|c| L::select(zero.lt(shadowed[c]), shadowed[c].min(open[c]), zero))
+    each(|c| L::select(zero.lt(shadowed[c]), shadowed[c].min(open[c]), zero))
 }
 
 /// The sum of the blockers' log visibilities.
@@ -105,8 +105,7 @@ where
     let zero = position[0].lift(0.0);
     let mut sum = [zero; C];
     for sphere in spheres {
-        let center: [L; 3] =
-            core::array::from_fn(|k| zero.lift(f64::from(sphere.center[k])) - position[k]);
+        let center = each(|k| zero.lift(f64::from(sphere.center[k])) - position[k]);
         let radius = zero.lift(f64::from(sphere.radius));
         let height = dot(center, normal);
         if !L::any((-radius).lt(height)) {
@@ -145,7 +144,7 @@ struct Blocker<L> {
 #[inline(always)]
 fn replace<L: Lane>(center: [L; 3], normal: [L; 3], height: L, radius: L) -> Blocker<L> {
     let (zero, one, tiny) = (height.lift(0.0), height.lift(1.0), height.lift(TINY));
-    let foot: [L; 3] = core::array::from_fn(|k| center[k] - height * normal[k]);
+    let foot = each(|k| center[k] - height * normal[k]);
     let foot_squared = dot(foot, foot);
     // Where no receiver's plane cuts the sphere, most of the time, this is all that is needed.
     let (mut counted, mut raised) = (radius, height);
@@ -159,7 +158,7 @@ fn replace<L: Lane>(center: [L; 3], normal: [L; 3], height: L, radius: L) -> Blo
         counted = L::select(cuts, touching, radius);
         raised = L::select(cuts, touching, height);
     }
-    let direction: [L; 3] = core::array::from_fn(|k| foot[k] + raised * normal[k]);
+    let direction = each(|k| foot[k] + raised * normal[k]);
     let distance = (foot_squared + raised * raised).sqrt();
     let inverse = one / distance.max(tiny);
     // distance² - radius², without the cancellation where the sphere touches the plane.
@@ -170,8 +169,15 @@ fn replace<L: Lane>(center: [L; 3], normal: [L; 3], height: L, radius: L) -> Blo
     Blocker {
         sine: L::select(counts, (counted * inverse).min(one), zero),
         cosine: (tangent * inverse).min(one),
-        direction: direction.map(|x| x * inverse),
+        direction: each(|k| direction[k] * inverse),
     }
+}
+
+/// Three values. (The standard library's `from_fn` is not always inlined, and would then be compiled without
+/// the instruction set.)
+#[inline(always)]
+fn each<L>(value: impl Fn(usize) -> L) -> [L; 3] {
+    [value(0), value(1), value(2)]
 }
 
 #[inline(always)]

@@ -3,10 +3,10 @@
 use fearless_simd::dispatch;
 use proptest::prelude::*;
 use sh_core::Lane;
-use sh_cpu::lanes::{Lanes8, Lanes16};
+use sh_cpu::lanes::{Lanes4, Lanes8, Lanes16};
 use sh_cpu::levels;
 
-/// Applies `$body` to eight values in both widths at every level and checks that the widths agree bit by
+/// Applies `$body` to eight values in all widths at every level and checks that the widths agree bit by
 /// bit; evaluates to one result a level.
 macro_rules! each_level {
     ($values:expr, |$x:ident| $body:expr) => {{
@@ -22,11 +22,15 @@ macro_rules! each_level {
                 let $x = Lanes16::from_array(simd, twice);
                 $body.to_array()
             });
-            for (i, wide) in sixteen.iter().enumerate() {
+            let four = dispatch!(level, simd => {
+                let $x = Lanes4::from_array(simd, core::array::from_fn(|i| values[i]));
+                $body.to_array()
+            });
+            for (i, other) in sixteen.iter().enumerate().chain(four.iter().enumerate()) {
                 let narrow = eight[i % 8];
                 assert!(
-                    narrow.to_bits() == wide.to_bits() || narrow.is_nan() && wide.is_nan(),
-                    "{level:?}: lane {i} of 16 has {wide}, of 8 has {narrow}"
+                    narrow.to_bits() == other.to_bits() || narrow.is_nan() && other.is_nan(),
+                    "{level:?}: lane {i} of 8 has {narrow}, in another width {other}"
                 );
             }
             results.push(eight);
@@ -185,5 +189,22 @@ fn comparisons_with_nan_are_false() {
         x.lift(2.0)
     )) {
         assert_eq!(result, [2.0; 8]);
+    }
+}
+
+#[test]
+fn halves_are_the_lower_and_the_upper_lanes() {
+    for level in levels() {
+        dispatch!(level, simd => {
+            let values = core::array::from_fn(|i| i as f32);
+            let x = Lanes16::from_array(simd, values);
+            let (low, high) = x.split();
+            assert_eq!(low.to_array()[..], values[..8]);
+            assert_eq!(high.to_array()[..], values[8..]);
+            assert_eq!(Lanes16::join(low, high).to_array(), values);
+            let (low, high) = low.split();
+            assert_eq!(high.to_array(), [4.0, 5.0, 6.0, 7.0]);
+            assert_eq!(Lanes8::join(low, high).to_array()[..], values[..8]);
+        });
     }
 }
