@@ -64,8 +64,8 @@ pub fn exposure(light: &Light) -> f32 {
 /// assert!(tone([8.0, 4.0, 1.0]).iter().all(|c| *c < 1.0));
 /// ```
 pub fn tone(color: [f32; 3]) -> [f32; 3] {
-    // Not a number becomes black: `max` drops it.
-    let color = color.map(|c| c.max(0.0).min(f32::MAX));
+    // What is not a number fails the comparison and becomes black.
+    let color = color.map(|c| if c > 0.0 { c.min(f32::MAX) } else { 0.0 });
     let peak = color[0].max(color[1]).max(color[2]);
     if peak <= SHOULDER {
         return color;
