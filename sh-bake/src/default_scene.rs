@@ -81,7 +81,7 @@ fn pieces() -> Vec<Piece> {
         Piece(
             "torus knot",
             shapes::torus_knot(2, 3, 0.52, 0.2, 0.12),
-            96,
+            80,
             [0.72, 0.30, 0.18],
             about_y(0.06) * Quat::from_rotation_x(FRAC_PI_2),
             at(-0.25, 0.0, 0.35),
@@ -89,14 +89,14 @@ fn pieces() -> Vec<Piece> {
         Piece(
             "box",
             shapes::rounded_box(at(0.9, 0.7, 0.9), 0.06),
-            48,
+            36,
             [0.80, 0.77, 0.70],
             about_y(0.07),
             at(1.35, 0.0, -0.1),
         ),
         Piece(
             "ball on the box",
-            shapes::ball(0.3, 5),
+            shapes::ball(0.3, 4),
             1,
             [0.16, 0.42, 0.44],
             upright,
@@ -105,7 +105,7 @@ fn pieces() -> Vec<Piece> {
         Piece(
             "twisted column",
             shapes::twisted_column(0.24, 2.1, TAU * 0.3),
-            64,
+            48,
             [0.40, 0.47, 0.32],
             about_y(0.03),
             at(-1.45, 0.0, -0.75),
@@ -121,7 +121,7 @@ fn pieces() -> Vec<Piece> {
         Piece(
             "capsule",
             shapes::capsule(0.2, 0.6),
-            10,
+            8,
             [0.24, 0.30, 0.50],
             about_y(0.1) * Quat::from_rotation_z(FRAC_PI_2),
             at(-1.35, 0.0, 0.75),
@@ -129,7 +129,7 @@ fn pieces() -> Vec<Piece> {
         Piece(
             "torus",
             shapes::torus_knot(1, 0, 0.3, 0.0, 0.1),
-            24,
+            20,
             [0.50, 0.20, 0.30],
             upright,
             at(0.75, 0.0, 1.05),

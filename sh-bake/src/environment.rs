@@ -1,7 +1,8 @@
 //! Environment maps from HDR and EXR files.
 
 use crate::error::{Error, read};
-use image::{ImageFormat, ImageReader};
+use image::codecs::hdr::HdrDecoder;
+use image::{DynamicImage, ImageFormat, ImageReader};
 use sh_scene::EnvironmentMap;
 use std::io::Cursor;
 use std::path::Path;
@@ -27,9 +28,13 @@ pub fn load_environment(path: &Path) -> Result<EnvironmentMap, Error> {
             });
         }
     };
-    let bytes = read(path)?;
-    let image = ImageReader::with_format(Cursor::new(bytes), format)
-        .decode()
+    let bytes = Cursor::new(read(path)?);
+    let decoded = match format {
+        // The format's first line is `#?RADIANCE` by the book, but many programs write another name there.
+        ImageFormat::Hdr => HdrDecoder::new_nonstrict(bytes).and_then(DynamicImage::from_decoder),
+        _ => ImageReader::with_format(bytes, format).decode(),
+    };
+    let image = decoded
         .map_err(|e| Error::file(path, format!("the image cannot be decoded: {e}.")))?
         .into_rgb32f();
     let (width, height) = image.dimensions();

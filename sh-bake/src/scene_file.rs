@@ -1,34 +1,4 @@
-//! Scene files: TOML, every key optional but `mesh`.
-//!
-//! ```toml
-//! [[objects]]                  # at least one
-//! mesh = "bunny.obj"           # .obj, .gltf or .glb, relative to this file
-//! spheres = 64                 # 1 to 4096
-//! scale = 1.0                  # applied first,
-//! rotate = [0, 90, 0]          # then turned about x, then y, then z, in degrees,
-//! translate = [0, 0, 0]        # then moved, in metres
-//! albedo = [0.8, 0.8, 0.8]     # or one number; in place of the file's own colour, under its texture
-//!
-//! [environment]                # a clear sky with a sun where nothing is said
-//! map = "city.hdr"             # .hdr or .exr, equirectangular
-//! rotation = 0                 # about +Y, in degrees, counter-clockwise seen from above
-//! intensity = 1.0
-//!
-//! [ground]
-//! height = 0.0                 # under the lowest point where nothing is said
-//! albedo = [0.5, 0.5, 0.5]
-//! enabled = true               # false: no ground
-//!
-//! [camera]                     # frames the objects where nothing is said
-//! eye = [3, 2, 5]
-//! target = [0, 1, 0]
-//! fov = 35                     # vertical, in degrees
-//!
-//! [settings]
-//! order = 4                    # 2 to 6
-//! window = 8                   # twice the order where nothing is said
-//! shadows = true
-//! ```
+//! Scene files: TOML, as the crate's documentation shows.
 
 use crate::error::{Error, read};
 use crate::keys::{Section, Source};
@@ -268,7 +238,7 @@ mod tests {
 
     #[test]
     fn the_example_in_the_documentation_is_a_scene() {
-        let example: String = include_str!("scene_file.rs")
+        let example: String = include_str!("lib.rs")
             .lines()
             .skip_while(|line| !line.contains("```toml"))
             .skip(1)

@@ -95,8 +95,8 @@ impl Grid {
 /// the tube's.
 pub fn torus_knot(p: u32, q: u32, ring: f32, swing: f32, tube: f32) -> Mesh {
     let grid = Grid {
-        columns: 24,
-        rows: 120 * p.max(1),
+        columns: 20,
+        rows: 96 * p.max(1),
     };
     let curve = |t: f32| {
         let (around, about) = (t * p as f32, t * q as f32);

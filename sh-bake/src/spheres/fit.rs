@@ -9,17 +9,11 @@
 //! ([`Fit::relieve`]): that only ever lowers E and sets spheres free, which then split the worst ones
 //! (teleportation, after Cohen-Steiner et al. 2004).
 
+use super::place::{self, Priced, TIE};
 use super::solid::{Disc, Solid};
 use super::surface::{Ball, Surface};
 use glam::DVec3;
 use rayon::prelude::*;
-
-/// A ball with its volume outside the solid.
-#[derive(Clone, Copy, Debug)]
-struct Priced {
-    ball: Ball,
-    outside: f64,
-}
 
 /// What the search works on.
 pub(crate) struct Fit<'a> {
@@ -77,6 +71,7 @@ impl<'a> Fit<'a> {
             }
             clusters = self.assign(&balls);
         }
+        self.prune(&mut best);
         best.iter()
             .map(|priced| priced.ball)
             .filter(|ball| ball.radius > 0.0)
@@ -125,7 +120,7 @@ impl<'a> Fit<'a> {
                 std::array::from_fn(|k| {
                     let radius = b.ball.radius * 2.0 * k as f64 / STEPS as f64;
                     // The small share of the whole ball breaks ties between balls inside the solid.
-                    self.solid.outside(b.ball.center, radius, &self.disc) + 1e-3 * radius.powi(3)
+                    self.solid.outside(b.ball.center, radius, &self.disc) + TIE * radius.powi(3)
                 })
             })
             .collect();
@@ -152,9 +147,8 @@ impl<'a> Fit<'a> {
         grouped(&owner, balls.len())
     }
 
-    /// The ball that holds the given pieces with least outside volume that a pattern search finds; one of
-    /// radius 0 for no pieces. It starts from the best of `old` and points at several depths under the
-    /// pieces.
+    /// The ball that holds the given pieces with least outside volume that a search finds, from `old` among
+    /// other places; one of radius 0 for no pieces.
     fn place(&self, pieces: &[u32], old: Option<Ball>) -> Priced {
         let mut ids: Vec<u32> = pieces
             .iter()
@@ -166,61 +160,22 @@ impl<'a> Fit<'a> {
             .iter()
             .map(|&i| self.surface.points[i as usize])
             .collect();
+        let old = old.map(|ball| ball.center);
         if points.is_empty() {
             let ball = Ball {
-                center: old.map_or(DVec3::ZERO, |b| b.center),
+                center: old.unwrap_or_default(),
                 radius: 0.0,
             };
             return Priced { ball, outside: 0.0 };
         }
-        let price = |center: DVec3| {
-            let radius = points
-                .iter()
-                .map(|p| p.distance_squared(center))
-                .fold(0.0, f64::max)
-                .sqrt();
-            let outside = self.solid.outside(center, radius, &self.disc);
-            (
-                outside + 1e-3 * radius.powi(3),
-                Priced {
-                    ball: Ball { center, radius },
-                    outside,
-                },
-            )
-        };
-        let middle = enclosing_center(&points);
-        let mut best = price(middle);
-        let size = best.1.ball.radius;
         let normal: DVec3 = pieces.iter().map(|&i| self.normals[i as usize]).sum();
-        let normal = normal.normalize_or_zero();
-        let consider = |center: DVec3, best: &mut (f64, Priced)| {
-            let candidate = price(center);
-            let better = candidate.0 < best.0;
-            if better {
-                *best = candidate;
-            }
-            better
-        };
-        for depth in [0.35, 0.8, 1.5, 3.0] {
-            consider(middle - normal * (size * depth), &mut best);
-        }
-        if let Some(old) = old {
-            consider(old.center, &mut best);
-        }
-        let mut step = 0.3 * size.min(best.1.ball.radius);
-        let least_step = 0.004 * size;
-        while step > least_step {
-            let center = best.1.ball.center;
-            let mut moved = false;
-            for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
-                moved |= consider(center + axis * step, &mut best);
-                moved |= consider(center - axis * step, &mut best);
-            }
-            if !moved {
-                step *= 0.5;
-            }
-        }
-        best.1
+        place::place(
+            self.solid,
+            &self.disc,
+            &points,
+            normal.normalize_or_zero(),
+            old,
+        )
     }
 
     /// The pieces that a ball holds.
@@ -275,7 +230,7 @@ impl<'a> Fit<'a> {
                 .filter_map(|(place, &i)| Some((place, self.split(balls, &cover, i)?)))
                 .min_by(|(a, (x, _)), (b, (y, _))| total(x).total_cmp(&total(y)).then(a.cmp(b)));
             match best {
-                Some((_, trial)) if total(&trial.0) < 0.999 * total(balls) => {
+                Some((_, trial)) if total(&trial.0) < 0.997 * total(balls) => {
                     (*balls, cover) = trial;
                     failures = 0;
                 }
@@ -289,7 +244,7 @@ impl<'a> Fit<'a> {
     /// neighbours that grow least by it.
     fn split(&self, balls: &[Priced], cover: &Cover, split: usize) -> Option<(Vec<Priced>, Cover)> {
         let (mut trial, mut cover) = (balls.to_vec(), cover.clone());
-        let spare = self.spare(&mut trial, &mut cover, split)?;
+        let spare = self.spare(&mut trial, &mut cover, Some(split))?;
         let [first, second] = self.halved(&cover.own(split));
         for (i, pieces) in [(split, first), (spare, second)] {
             trial[i] = self.place(&pieces, None);
@@ -312,12 +267,31 @@ impl<'a> Fit<'a> {
         Some((trial, cover))
     }
 
-    /// Frees the ball that costs least to do without, other than `split`, and returns which.
-    fn spare(&self, balls: &mut [Priced], cover: &mut Cover, split: usize) -> Option<usize> {
+    /// Does without balls as long as that lowers E, as it does in a body that few balls fill.
+    fn prune(&self, balls: &mut Vec<Priced>) {
+        let mut cover = Cover::new(self, balls);
+        while balls.iter().filter(|b| b.ball.radius > 0.0).count() > 1 {
+            let (mut trial, mut trial_cover) = (balls.clone(), cover.clone());
+            let spared = self.spare(&mut trial, &mut trial_cover, None);
+            if spared.is_none() || total(&trial) >= total(balls) {
+                break;
+            }
+            (*balls, cover) = (trial, trial_cover);
+        }
+    }
+
+    /// Frees the ball that costs least to do without, and returns which: other than `split`, for which
+    /// one that is free already serves best.
+    fn spare(
+        &self,
+        balls: &mut [Priced],
+        cover: &mut Cover,
+        split: Option<usize>,
+    ) -> Option<usize> {
         /// How many balls are looked at: those with the fewest pieces of their own.
         const CANDIDATES: usize = 8;
         let mut own: Vec<(usize, Vec<u32>)> = (0..balls.len())
-            .filter(|&i| i != split)
+            .filter(|&i| Some(i) != split && (split.is_some() || balls[i].ball.radius > 0.0))
             .map(|i| (i, cover.own(i)))
             .collect();
         own.sort_by_key(|(i, pieces)| (pieces.len(), *i));
@@ -479,15 +453,4 @@ fn grouped(group: &[usize], count: usize) -> Vec<Vec<u32>> {
         groups[g].push(i as u32);
     }
     groups
-}
-
-/// Nearly the centre of the smallest ball around the points (Bădoiu and Clarkson 2003: step towards the
-/// farthest point by 1 / (k + 1)).
-fn enclosing_center(points: &[DVec3]) -> DVec3 {
-    let mut center = points.iter().sum::<DVec3>() / points.len() as f64;
-    for k in 1..=24 {
-        let far = farthest(points, |p| p.distance_squared(center));
-        center += (far - center) / f64::from(k + 1);
-    }
-    center
 }

@@ -4,6 +4,7 @@
 //! outside it, because that volume is where shadows are too large.
 
 mod fit;
+mod place;
 mod solid;
 mod surface;
 
