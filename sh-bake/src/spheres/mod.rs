@@ -3,10 +3,12 @@
 //! A set bounds the mesh (every point of every triangle lies in one of the spheres) and has little volume
 //! outside it, because that volume is where shadows are too large.
 
+mod cover;
 mod fit;
 mod place;
 mod solid;
 mod surface;
+mod teleport;
 
 use fit::Fit;
 use glam::DVec3;
