@@ -27,6 +27,9 @@ pub enum Error {
         /// What the encoder says.
         source: image::ImageError,
     },
+    /// Results that could not be put into JSON.
+    #[error("cannot write the results as JSON: {0}")]
+    Json(#[from] serde_json::Error),
     /// No GPU, or one that failed.
     #[error("{0}")]
     Gpu(String),

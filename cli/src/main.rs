@@ -193,7 +193,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         Some(Command::Ops { json }) => {
             let counts = ops::counts();
             say(&if json {
-                ops::json(&counts)
+                ops::json(&counts)?
             } else {
                 ops::table(&counts)
             })

@@ -5,6 +5,7 @@ use crate::Error;
 use crate::gpu::Gpu;
 use crate::report::Times;
 use sh_gpu::Renderer;
+use std::time::Instant;
 use wgpu::{BufferUsages, QuerySet};
 
 /// Runs the plan. The picture is linear radiance, row by row from the top.
@@ -24,24 +25,23 @@ pub fn picture(gpu: &Gpu, frame: &Frame, times: &mut Times) -> Result<Vec<[f32; 
     let stamps = Stamps::new(gpu, renderer.timestamps());
     let picture = renderer.picture();
     let staging = gpu.staging(picture.size());
-    let mut passes = Times::default();
-    passes.measure("passes", || {
-        gpu.submit(|encoder| {
-            renderer.record(encoder, stamps.as_ref().map(|stamps| &stamps.queries));
-            if let Some(stamps) = &stamps {
-                stamps.resolve(encoder);
-            }
-        })
+    let start = Instant::now();
+    gpu.submit(|encoder| {
+        renderer.record(encoder, stamps.as_ref().map(|stamps| &stamps.queries));
+        if let Some(stamps) = &stamps {
+            stamps.resolve(encoder);
+        }
     })?;
-    match stamps {
-        None => times.0.extend(passes.0),
-        Some(stamps) => {
-            let stamps = gpu.read(&stamps.staging, numbers)?;
-            for (pass, nanoseconds) in renderer.times(&stamps, gpu.queue.get_timestamp_period()) {
-                times.add(pass.name(), nanoseconds * 1e-9);
-            }
+    let mut rest = start.elapsed().as_secs_f64();
+    if let Some(stamps) = stamps {
+        let stamps = gpu.read(&stamps.staging, numbers)?;
+        for (pass, nanoseconds) in renderer.times(&stamps, gpu.queue.get_timestamp_period()) {
+            times.add(pass.name(), nanoseconds * 1e-9);
+            rest -= nanoseconds * 1e-9;
         }
     }
+    // All passes, or what recording, submitting and waiting took besides them.
+    times.add("frame", rest.max(0.0));
     times.measure("read back", || {
         gpu.submit(|encoder| {
             encoder.copy_buffer_to_buffer(picture, 0, &staging, 0, picture.size());
@@ -61,9 +61,10 @@ struct Stamps {
 }
 
 impl Stamps {
-    /// None where the device has no clock, or the frame more passes than a query set holds.
+    /// None where the device has no clock worth the name (a software driver's stands still while a dispatch
+    /// runs), or the frame has more passes than a query set holds.
     fn new(gpu: &Gpu, count: u32) -> Option<Self> {
-        if !gpu.timestamps || count > wgpu::QUERY_SET_MAX_QUERIES {
+        if !gpu.timestamps || gpu.software || count > wgpu::QUERY_SET_MAX_QUERIES {
             return None;
         }
         let queries = gpu.device.create_query_set(&wgpu::QuerySetDescriptor {

@@ -146,8 +146,11 @@ pub fn render(options: &Options) -> Result<Report, Error> {
         seconds: start.elapsed().as_secs_f64(),
     };
     if let (Some(report), Some(path)) = (report, &options.report) {
-        let failed = |source| Error::file("write to", path.display(), source);
-        report.finish(|file| writeln!(file, "{:#}", serde_json::json!(summary)).map_err(failed))?;
+        let text = serde_json::to_string_pretty(&summary)?;
+        report.finish(|file| {
+            let written = writeln!(file, "{text}");
+            written.map_err(|source| Error::file("write to", path.display(), source))
+        })?;
     }
     Ok(summary)
 }
