@@ -67,8 +67,9 @@ pub fn serve(
 ///
 /// ```
 /// use gaunt::eval::{Backend, answer};
-/// let line = br#"{"op": "square", "order": 2, "f": [3.5449077018110318, 0, 0, 0]}"#;
-/// assert_eq!(answer(&mut Backend::F64, line), r#"{"ok":[3.544907701811032,0.0,0.0,0.0]}"#);
+/// let line = br#"{"op": "basis", "order": 2, "dir": [0, 0, 1]}"#;
+/// let expected = r#"{"ok":[0.28209479177387814,0.0,0.4886025119029199,0.0]}"#;
+/// assert_eq!(answer(&mut Backend::F64, line), expected);
 /// assert!(answer(&mut Backend::F64, b"{}").starts_with(r#"{"error":"#));
 /// ```
 pub fn answer(backend: &mut Backend, line: &[u8]) -> String {
