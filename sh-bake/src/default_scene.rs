@@ -64,8 +64,8 @@ pub fn default_scene(progress: &(dyn Fn(Progress) + Sync)) -> (Scene, Report) {
             albedo: [0.50, 0.48, 0.45],
         }),
         camera: Camera {
-            eye: Vec3::new(1.3, 2.7, 7.2),
-            target: Vec3::new(0.0, 0.78, 0.0),
+            eye: Vec3::new(1.3, 2.0, 7.4),
+            target: Vec3::new(0.0, 0.94, 0.0),
             fov: 30.0_f32.to_radians(),
         },
         settings: Settings::default(),

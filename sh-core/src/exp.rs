@@ -30,23 +30,36 @@ pub fn ps_star<L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
 where
     [L; C]: Routines<L>,
 {
-    ps_star_with(f, degree, Routines::square)
+    scaled(f, |h, _| series(h, degree), Routines::square)
 }
 
-/// [`ps_star`] with the caller's way to call [`Routines::square`].
+/// PS*-2, the exponential of the shadow pass, with the caller's way to call [`Routines::square`], the only
+/// routine it needs.
 ///
-/// The square is some hundred operations and inlined where it is used; where that is too much code, or the
+/// A square is some hundred operations, inlined wherever it is used; where that is too much code, or where a
 /// routine must be entered in a certain instruction set, hand in a function that is not inlined.
+///
+/// ```
+/// use sh_core::{Routines, exp};
+/// let f = [-0.3_f64; 16];
+/// let (a, b) = (exp::quadratic(&f, Routines::square), exp::ps_star(&f, 2));
+/// assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-14));
+/// ```
 #[inline(always)]
-pub fn ps_star_with<L: Lane, const C: usize>(
-    f: &[L; C],
-    degree: usize,
-    square: impl Fn(&[L; C]) -> [L; C],
-) -> [L; C]
+pub fn quadratic<L: Lane, const C: usize>(f: &[L; C], square: impl Fn(&[L; C]) -> [L; C]) -> [L; C]
 where
     [L; C]: Routines<L>,
 {
-    scaled(f, |h, _| series(h, degree, &square), &square)
+    let (half, one) = (f[0].lift(0.5), f[0].lift(ROOT_FOUR_PI));
+    let series = |h: &[L; C], _| {
+        let mut g = square(h);
+        for (g, h) in g.iter_mut().zip(h) {
+            *g = g.mul_add(half, *h);
+        }
+        g[0] = g[0] + one;
+        g
+    };
+    scaled(f, series, &square)
 }
 
 /// exp*(f) by the optimal linear approximation after scaling: HYB of Ren et al. 2006.
@@ -125,11 +138,7 @@ where
 
 /// Σ_k f^k/k! up to `degree`, even and odd powers apart (eq. 22).
 #[inline(always)]
-fn series<L: Lane, const C: usize>(
-    f: &[L; C],
-    degree: usize,
-    square: impl Fn(&[L; C]) -> [L; C],
-) -> [L; C]
+fn series<L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
 where
     [L; C]: Routines<L>,
 {
@@ -142,7 +151,7 @@ where
         }
         return even;
     }
-    let squared = square(f);
+    let squared = f.square();
     let mut odd = even;
     let mut power = squared;
     let mut factorial = 1.0;

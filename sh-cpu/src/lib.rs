@@ -28,7 +28,6 @@
 
 mod drive;
 mod error;
-mod exponential;
 mod frame;
 mod gbuffer;
 mod geometry;

@@ -15,11 +15,10 @@
 //! lanes costs one dot product.
 
 use crate::drive::{Kernel, drive};
-use crate::exponential::exponential;
 use crate::irradiance::{reflected, unblocked};
 use crate::outline::Outline;
 use crate::{Error, Path};
-use sh_core::{Lane, Routines};
+use sh_core::{Lane, Routines, exp};
 use sh_scene::{Light, Receiver, Sphere};
 
 /// Smallest divisor, in metres: far below any distance that matters, far above the point where its
@@ -89,7 +88,7 @@ where
 {
     let zero = position[0].lift(0.0);
     let log_visibility = accumulate::<L, C>(position, normal, spheres);
-    let visibility = exponential(&log_visibility);
+    let visibility = exp::quadratic(&log_visibility, L::square);
     let open = unblocked::<L, C>(normal, light);
     let shadowed = reflected(&L::product_cosine(&visibility, normal), light);
     // A sum of blockers beyond the range of the series is not a number, and fails the comparison.

@@ -170,8 +170,11 @@ fn main() {
     let trials = ROUTINES.iter().map(|routine| {
         let gpu = gpu.clone();
         let missing = gpu.is_err();
-        Trial::test(routine.name, move || check(&gpu?, routine))
-            .with_ignored_flag(missing && !required)
+        Trial::test(routine.name, move || {
+            let gpu = gpu?;
+            check(&gpu, routine)
+        })
+        .with_ignored_flag(missing && !required)
     });
     libtest_mimic::run(&arguments, trials.collect()).exit();
 }
