@@ -4,7 +4,7 @@
 //! the real triangles; below the difference, grey where there is none. Prints the RMS and the mean of the
 //! difference in luminance relative to the mean. `default` in place of a scene is the built-in one.
 
-use gaunt::image::{exposure, srgb, tone};
+use gaunt::image::{exposure, screen};
 use sh_cpu::{Gbuffer, Geometry};
 use sh_reference::{basis, raycast, sampled};
 use sh_scene::{Light, Receiver, View};
@@ -43,7 +43,10 @@ fn main() {
             .get(i)
             .map_or(default, |a| a.parse().expect("a number"))
     };
-    let (width, rays) = (number(2, 320), sampled::directions(number(3, 1024)));
+    let (width, rays) = (
+        number(2, 320),
+        sampled::directions(number(3, 1024)).collect::<Vec<_>>(),
+    );
     let scene = match scene.as_str() {
         "default" => sh_bake::default_scene(&|_| {}).0,
         path => {
@@ -100,10 +103,18 @@ fn main() {
             } else {
                 truth(&caster, &channels, &rays, receiver)
             };
-            let shown = |c: [f32; 3]| {
-                let exposed = std::array::from_fn(|i| c[i] * albedo[i] * exposure);
-                image::Rgb(tone(exposed).map(srgb))
+            let mut put = |column: usize, row: usize, color: [f32; 3]| {
+                let (column, row) = (column as u32, row as u32);
+                picture.put_pixel(column, row, image::Rgb(screen(color, column, row)));
             };
+            let shown = |c: [f32; 3]| std::array::from_fn(|i| c[i] * albedo[i] * exposure);
+            put(x, y, shown(ours[x]));
+            put(x + width, y, shown(truth));
+            put(
+                x,
+                y + height,
+                std::array::from_fn(|i| 0.5 + 0.5 * (ours[x][i] - truth[i]) * exposure),
+            );
             let luminance = |c: [f32; 3]| f64::from(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]);
             let difference = luminance(ours[x]) - luminance(truth);
             if receiver.covered != 0 {
@@ -112,14 +123,6 @@ fn main() {
                 mean += luminance(truth);
                 count += 1.0;
             }
-            picture.put_pixel(x as u32, y as u32, shown(ours[x]));
-            picture.put_pixel((x + width) as u32, y as u32, shown(truth));
-            let signed = std::array::from_fn(|i| 0.5 + 0.5 * (ours[x][i] - truth[i]) * exposure);
-            picture.put_pixel(
-                x as u32,
-                (y + height) as u32,
-                image::Rgb(tone(signed).map(srgb)),
-            );
         }
     }
     let mean = mean / count;

@@ -10,7 +10,7 @@ use sh_tests::{case, truth::truth};
 use std::sync::Arc;
 use wgpu::BufferUsages;
 
-const CASES: usize = 24;
+const CASES: usize = 60;
 
 /// Numbers of one case: all arguments one after the other.
 fn stride(routine: &Routine, order: usize) -> usize {
