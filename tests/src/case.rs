@@ -59,7 +59,7 @@ pub fn quaternion(random: &mut Random, i: usize) -> [f64; 4] {
     match i {
         0 => [0.0, 0.0, 0.0, 1.0],
         1 => [0.6, 0.8, 0.0, 0.0],
-        _ if i % 3 == 0 => {
+        _ if i.is_multiple_of(3) => {
             let half = 0.5 * 10.0_f64.powf(-7.0 + 5.0 * random.unit());
             let [x, y] = random.on_sphere::<2>();
             let [z, w] = random.on_sphere::<2>();
@@ -92,7 +92,7 @@ pub fn arguments(routine: &Routine, order: usize, random: &mut Random, i: usize)
             ("norm", _) => vec![0.25 * random.unit()],
             (_, Shape::Direction) if i < 6 => {
                 let mut d = vec![0.0; 3];
-                d[i / 2] = if i % 2 == 0 { 1.0 } else { -1.0 };
+                d[i / 2] = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
                 d
             }
             (_, Shape::Direction) => random.on_sphere::<3>().to_vec(),

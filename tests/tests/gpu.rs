@@ -115,7 +115,7 @@ fn run(gpu: &Gpu, routine: &Routine, order: usize, arguments: &[f32]) -> Vec<f32
         encoder.copy_buffer_to_buffer(&output, 0, &staging, 0, size);
     })
     .expect("the shader runs");
-    gpu.read(&staging, |bytes| bytemuck::pod_collect_to_vec(bytes))
+    gpu.read(&staging, bytemuck::pod_collect_to_vec)
         .expect("results come back")
 }
 

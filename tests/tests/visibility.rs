@@ -48,11 +48,8 @@ fn tiny_caps() {
     let angle = 1e-6;
     let blocked = reference::cap::blocked(6, angle);
     let ours = cap::visibility::<36>(angle);
-    for l in 1..6 {
-        assert!(
-            (ours.as_ref()[l] / -blocked[l] - 1.0).abs() < 1e-8,
-            "band {l}"
-        );
+    for (l, (ours, blocked)) in ours.iter().zip(&blocked).enumerate().skip(1) {
+        assert!((ours / -blocked - 1.0).abs() < 1e-8, "band {l}");
     }
 }
 
@@ -86,10 +83,13 @@ fn limits_of_the_logarithm() {
     assert!(one.log().iter().all(|x| x.abs() < 1e-12));
     assert!([0.0; 16].log().iter().all(|x| x.is_finite()));
     assert!(
-        <[f64; 16]>::zonal(cap::visibility::<16>(3.141_592_6), [0.0, 0.0, 1.0])
-            .log()
-            .iter()
-            .all(|x| x.is_finite())
+        <[f64; 16]>::zonal(
+            cap::visibility::<16>(std::f64::consts::PI - 1e-7),
+            [0.0, 0.0, 1.0]
+        )
+        .log()
+        .iter()
+        .all(|x| x.is_finite())
     );
 }
 
