@@ -139,6 +139,29 @@ fn table_is_the_eigen_log() {
     }
 }
 
+/// Between whole degrees, at any order: what `cap::log_table` promises.
+#[test]
+fn table_interpolates() {
+    fn check<const C: usize>()
+    where
+        [f64; C]: Routines<f64>,
+    {
+        for quarter in 0..716 {
+            let angle = (0.25 * f64::from(quarter)).to_radians();
+            let want = reference::log::cap_eigen(<[f64; C]>::ORDER, angle, sh_core::log::CLIP)
+                .expect("it has one");
+            let permitted = if quarter <= 600 { 0.11 } else { 0.42 };
+            for (got, want) in cap::log_table::<C>(angle).as_ref().iter().zip(&want) {
+                assert!(
+                    (got - want).abs() <= permitted,
+                    "{angle}: {got}, eigen {want}"
+                );
+            }
+        }
+    }
+    every_order!(check);
+}
+
 #[test]
 fn exponentials_against_reference() {
     fn check<const C: usize>()
