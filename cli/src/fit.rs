@@ -21,7 +21,7 @@ pub struct DataFile {
 }
 
 /// Degree of the cap logarithm's polynomials.
-const CAP_LOG_DEGREE: usize = 5;
+const CAP_LOG_DEGREE: usize = 7;
 
 /// Degree of the optimal linear factors' polynomials.
 const OPTIMAL_LINEAR_DEGREE: usize = 3;
@@ -143,16 +143,19 @@ where
     let n = <[f64; C]>::ORDER;
     let angles: Vec<f64> = (1..=180).map(|i| f64::from(i).to_radians() / 2.0).collect();
     let truth: Vec<Vec<f64>> = angles.iter().map(|t| eigen_log::<C>(*t)).collect();
-    // Weighted with 1/sin θ, half-way between equal absolute and equal relative weight: small blockers
-    // are many, large ones matter each.
+    // Weighted with 1/sin² θ, that is with one over the solid angle: a distant blocker must cast its shadow as
+    // exactly, for its size, as a near one.
     let design = DMatrix::from_fn(angles.len(), CAP_LOG_DEGREE + 1, |i, k| {
-        angles[i].sin() * (2.0 * angles[i].cos() - 1.0).powi(k as i32)
+        (2.0 * angles[i].cos() - 1.0).powi(k as i32)
     });
     let fits: Vec<Vec<f64>> = (0..n)
         .map(|l| {
             let target = DVector::from_iterator(
                 angles.len(),
-                angles.iter().zip(&truth).map(|(t, f)| f[l] / t.sin()),
+                angles
+                    .iter()
+                    .zip(&truth)
+                    .map(|(t, f)| f[l] / t.sin().powi(2)),
             );
             least_squares(design.clone(), &target)
         })

@@ -40,8 +40,8 @@ impl Default for Sky {
     fn default() -> Self {
         Self {
             sun: Vec3::new(-0.62, 0.72, 0.50),
-            turbidity: 2.8,
-            land: [0.16, 0.15, 0.13],
+            turbidity: 2.2,
+            land: [0.30, 0.29, 0.27],
         }
     }
 }

@@ -4,3 +4,8 @@ pub mod accuracy;
 pub mod call;
 pub mod case;
 pub mod truth;
+
+/// The README's Rust compiles and runs.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

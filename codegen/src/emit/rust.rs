@@ -139,12 +139,18 @@ fn doc(routine: &Routine, graphs: &[Graph], indent: &str) -> String {
             format!("{}/{}", ops.mul, ops.add)
         })
         .collect();
-    text + indent
-        + "///\n"
-        + indent
-        + "/// Multiplications/additions for orders 2 to 6: "
-        + &counts.join(", ")
-        + ".\n"
+    text += &format!(
+        "{indent}///\n{indent}/// Multiplications/additions for orders 2 to 6: {}.\n{indent}///\n",
+        counts.join(", ")
+    );
+    for line in ["```", "use sh_core::Routines;"]
+        .into_iter()
+        .chain(routine.example.lines())
+        .chain(["```"])
+    {
+        text += &format!("{indent}/// {line}\n");
+    }
+    text
 }
 
 /// Everything that sh-core includes: the trait, its implementations, the functions, the table of logs.
