@@ -55,3 +55,29 @@ mod approximate {
         }
     }
 }
+
+#[cfg(feature = "glam")]
+mod rotations {
+    use crate::{Routines, Sh};
+    use glam::Mat3;
+
+    impl<const C: usize> Sh<f32, C>
+    where
+        [f32; C]: Routines<f32>,
+    {
+        /// Rotated by a glam matrix (feature `glam`). Directions and quaternions need no adapter: wherever
+        /// three or four numbers are asked for, a `Vec3` or a `Quat` will do.
+        ///
+        /// ```
+        /// use glam::{Mat3, Quat, Vec3};
+        /// use sh_core::Sh4;
+        /// let q = Quat::from_rotation_z(1.0);
+        /// let turned = Sh4::basis(Vec3::X).rotate(q);
+        /// assert!((turned - Sh4::basis(q * Vec3::X)).norm() < 1e-5);
+        /// assert!((turned - Sh4::basis(Vec3::X).rotate_mat3(Mat3::from_quat(q))).norm() < 1e-5);
+        /// ```
+        pub fn rotate_mat3(&self, m: Mat3) -> Self {
+            self.rotate_matrix(m.transpose().to_cols_array())
+        }
+    }
+}
