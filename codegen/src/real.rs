@@ -58,24 +58,6 @@ impl Real {
         self.hi
     }
 
-    /// Rounded to f32, once: the low part decides where the high part lies half-way.
-    pub fn to_f32(self) -> f32 {
-        let f = self.hi as f32;
-        let rest = self.hi - f64::from(f);
-        // The neighbours' midpoints are exact doubles: only an exact tie can be broken by `lo`.
-        let next = if rest > 0.0 {
-            f.next_up()
-        } else {
-            f.next_down()
-        };
-        let half = (f64::from(next) - f64::from(f)) / 2.0;
-        if rest == half && rest != 0.0 && (self.lo > 0.0) == (half > 0.0) && self.lo != 0.0 {
-            next
-        } else {
-            f
-        }
-    }
-
     /// Square root of a number that is not negative.
     pub fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
