@@ -20,6 +20,8 @@
 //! | [`exp`] | the SH exponential, exact and by the series of Ren 2006 |
 //! | [`environment`] | the projection of an equirectangular map |
 //! | [`visibility`] | the visibility past many spheres, the light that is left |
+//! | [`arcs`] | the same visibility, exact to rounding and fast, along the edges of the caps |
+//! | [`blockers`] | the random sets of caps that accuracy is measured on |
 //! | [`raycast`] | the visibility past triangles, one ray at a time |
 //! | [`sampled`] | SH vector and light behind any visibility |
 //!
@@ -38,7 +40,9 @@
 //! assert!(f.iter().zip(&same).all(|(a, b)| (a - b).abs() < 1e-13));
 //! ```
 
+pub mod arcs;
 pub mod basis;
+pub mod blockers;
 pub mod cap;
 pub mod environment;
 pub mod exp;
@@ -53,6 +57,7 @@ pub mod visibility;
 pub mod zonal;
 
 mod cells;
+mod edges;
 mod vec3;
 
 #[cfg(test)]
