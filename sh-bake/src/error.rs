@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 #[non_exhaustive]
 pub enum Error {
     /// A file that cannot be read at all.
-    #[error("{}: the file cannot be read: {source}.", path.display())]
+    #[error("{}: the file cannot be read: {source}.", shown(path))]
     Read {
         /// The file.
         path: PathBuf,
@@ -16,7 +16,7 @@ pub enum Error {
         source: std::io::Error,
     },
     /// A file whose name's ending says nothing that is known.
-    #[error("{}: the ending of the file's name is none of {known}.", path.display())]
+    #[error("{}: the ending of the file's name is none of {known}.", shown(path))]
     Format {
         /// The file.
         path: PathBuf,
@@ -24,7 +24,7 @@ pub enum Error {
         known: &'static str,
     },
     /// A scene file that has something wrong at a line.
-    #[error("{}, line {line}: {message}", path.display())]
+    #[error("{}, line {line}: {message}", shown(path))]
     Scene {
         /// The scene file.
         path: PathBuf,
@@ -34,7 +34,7 @@ pub enum Error {
         message: String,
     },
     /// A mesh or environment file that has something wrong.
-    #[error("{}: {message}", path.display())]
+    #[error("{}: {message}", shown(path))]
     File {
         /// The file.
         path: PathBuf,
@@ -44,12 +44,30 @@ pub enum Error {
 }
 
 impl Error {
-    pub(crate) fn file(path: &Path, message: impl Into<String>) -> Self {
+    pub(crate) fn file(path: &Path, message: impl AsRef<str>) -> Self {
         Self::File {
             path: path.to_path_buf(),
-            message: message.into(),
+            message: one_line(message.as_ref()),
         }
     }
+}
+
+/// A text that quotes a file, with control characters written out: so that what the file holds can neither
+/// break a message into lines nor steer a terminal.
+pub(crate) fn one_line(text: &str) -> String {
+    let mut line = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c.is_control() {
+            true => line.extend(c.escape_default()),
+            false => line.push(c),
+        }
+    }
+    line
+}
+
+/// A path as messages show it.
+pub(crate) fn shown(path: &Path) -> String {
+    one_line(&path.display().to_string())
 }
 
 /// The bytes of a file.

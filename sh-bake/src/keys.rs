@@ -1,6 +1,6 @@
 //! Reading a table of a scene file key by key, with errors that name the file, the line and the key.
 
-use crate::error::Error;
+use crate::error::{Error, one_line};
 use std::fmt::Display;
 use std::ops::{Range, RangeInclusive};
 use std::path::Path;
@@ -21,7 +21,7 @@ impl Source<'_> {
         Error::Scene {
             path: self.path.to_path_buf(),
             line,
-            message: message.to_string(),
+            message: one_line(&message.to_string()),
         }
     }
 }

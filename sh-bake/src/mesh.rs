@@ -1,6 +1,6 @@
 //! Meshes from files: one entrance for every format, and the checks that all of them go through.
 
-use crate::error::{Error, read};
+use crate::error::{Error, read, shown};
 use crate::{gltf, normals, obj};
 use glam::{DVec3, Vec3};
 use sh_scene::{Material, Mesh};
@@ -112,7 +112,7 @@ impl RawPart {
         self.triangles = with_area(&self.positions, &self.triangles);
         let dropped = before - self.triangles.len();
         if dropped > 0 {
-            let display = path.display();
+            let display = shown(path);
             warnings.push(format!(
                 "{display}: {what}{dropped} of {before} triangles have no area and were left out."
             ));
@@ -135,7 +135,7 @@ impl RawPart {
             }
         } else {
             if given {
-                let display = path.display();
+                let display = shown(path);
                 warnings.push(format!(
                     "{display}: {what}some normals are no unit vectors; all were computed anew."
                 ));

@@ -9,6 +9,23 @@ use gltf::json::validation::Checked;
 /// Most elements that an accessor without bytes behind it may have.
 const MOST_EMPTY: usize = 1 << 24;
 
+/// Checks the header of a GLB (glTF 2.0, section 4.4.2), from whose length the crate subtracts the header's
+/// own. Messages end in a full stop.
+pub(crate) fn header(bytes: &[u8]) -> Result<(), String> {
+    match bytes {
+        [b'g', b'l', b'T', b'F', _, _, _, _, a, b, c, d, ..] => {
+            match u32::from_le_bytes([*a, *b, *c, *d]) {
+                length @ 0..12 => Err(format!(
+                    "the glTF is damaged: its header says that the file has {length} bytes, and the header \
+                     alone has 12."
+                )),
+                _ => Ok(()),
+            }
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Checks what even the crate's own validation takes on trust. Messages end in a full stop.
 pub(crate) fn document(root: &Root) -> Result<(), String> {
     for (m, mesh) in root.meshes.iter().enumerate() {

@@ -4,7 +4,7 @@ mod check;
 mod nodes;
 mod texture;
 
-use crate::error::Error;
+use crate::error::{Error, one_line, shown};
 use crate::mesh::RawPart;
 use gltf::Gltf;
 use gltf::accessor::{DataType, Dimensions};
@@ -23,6 +23,7 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<(Vec<RawPart>, Vec<Strin
     let wrong = |message: String| Error::file(path, message);
     let damaged = |e: gltf::Error| wrong(format!("the glTF is damaged: {e}."));
 
+    check::header(bytes).map_err(wrong)?;
     // Before the crate's own validation, which refuses such files without saying which extension it is.
     let unchecked = Gltf::from_slice_without_validation(bytes).map_err(damaged)?;
     if let Some(name) = unchecked
@@ -52,8 +53,9 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<(Vec<RawPart>, Vec<Strin
         for primitive in mesh.primitives() {
             let name = match mesh.name() {
                 Some(name) => format!(
-                    "mesh {} ({name}), primitive {}",
+                    "mesh {} ({}), primitive {}",
                     mesh.index(),
+                    one_line(name),
                     primitive.index()
                 ),
                 None => format!("mesh {}, primitive {}", mesh.index(), primitive.index()),
@@ -61,7 +63,7 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<(Vec<RawPart>, Vec<Strin
             let explain = |message: String| wrong(format!("{name}: {message}."));
             let mut part = surface(&primitive, &buffers, &placement).map_err(explain)?;
             if part.triangles.is_empty() {
-                let display = path.display();
+                let display = shown(path);
                 warnings.push(format!(
                     "{display}: {name} has no triangles and was passed over."
                 ));

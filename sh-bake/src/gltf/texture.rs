@@ -19,8 +19,11 @@ pub(crate) fn load(
         Source::Uri { uri, .. } => decodable(uri),
     }
     .map_err(|e| format!("{name} {e}"))?;
-    let image = Image::from_source(image.source(), Some(folder), buffers)
-        .map_err(|e| format!("{name}, the base colour texture, cannot be decoded: {e}"))?;
+    let image = Image::from_source(image.source(), Some(folder), buffers).map_err(|e| {
+        let e = e.to_string();
+        let e = e.trim_end_matches(['.', ' ', '\n']);
+        format!("{name}, the base colour texture, cannot be decoded: {e}")
+    })?;
     let rgba = rgba(&image);
     if image.width == 0 || rgba.len() != image.width as usize * image.height as usize * 4 {
         return Err(format!("{name}, the base colour texture, is empty"));
