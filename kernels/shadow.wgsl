@@ -1,13 +1,13 @@
 // Shadow: environment light through the visibility of all blocker spheres, for every receiver
-// (Ren et al. 2006, section 8). The log visibilities of the blockers are summed, exponentiated once,
-// multiplied with the cosine lobe and dotted with the light. Twin of sh_cpu's `shadow`.
+// (Ren et al. 2006, section 8). The log visibilities of the blockers are summed, in the order of accumulation,
+// and exponentiated once; what the order of the light holds of that is multiplied with the cosine lobe and
+// dotted with the light. Twin of sh_cpu's `shadow`.
 //
 // One invocation a receiver; the blockers pass through workgroup memory, a tile at a time.
 
 #import shared/records
 #import shared/invocation
 #import shared/blocker
-#import shared/exponential
 #import shared/light
 #import library
 
@@ -32,7 +32,7 @@ fn shadow(
         receiver = receivers[index];
     }
     let covered = receiver.covered != 0u;
-    var f = array<f32, $C>();
+    var f = array<f32, $B>();
     for (var first = 0u; first < lighting.blockers; first += WORKGROUP) {
         workgroupBarrier();
         if (first + lane < lighting.blockers) {
@@ -43,7 +43,7 @@ fn shadow(
         for (var i = 0u; i < filled; i += 1u) {
             let blocker = replace(tile[i].center - receiver.position, receiver.normal, tile[i].radius);
             if (blocker.sine > 0.0) {
-                f = sh$N_add_cap_log(f, blocker.sine, blocker.cosine, blocker.direction);
+                f = sh$A_add_cap_log_saturating(f, blocker.sine, blocker.cosine, blocker.direction);
             }
         }
     }
@@ -52,7 +52,11 @@ fn shadow(
     }
     var result = vec3f(0.0);
     if (covered) {
-        let visibility = sh$N_exponential_$E(f);
+        let accumulated = sh$A_exp_saturating(f);
+        var visibility = array<f32, $C>();
+        for (var i = 0u; i < $Cu; i += 1u) {
+            visibility[i] = accumulated[i];
+        }
         let shadowed = reflected(sh$N_product_cosine(visibility, receiver.normal));
         result = bounded(shadowed, reflected(sh$N_cosine(receiver.normal)));
     }

@@ -37,17 +37,26 @@ pub enum Node {
     Div(Id, Id),
     /// Square root.
     Sqrt(Id),
+    /// The smaller of both.
+    Min(Value, Value),
+    /// The larger of both.
+    Max(Value, Value),
+    /// e to the power of it.
+    Exp(Value),
     /// If the first is less than the second then the third, else the fourth.
     Select(Id, Id, Value, Value),
 }
 
-/// Counted operations; a fused multiply-add is one of each, a division or a root one multiplication.
+/// Counted operations; a fused multiply-add is one of each, a division or a root one multiplication, a
+/// minimum or maximum one addition.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Ops {
     /// Multiplications.
     pub mul: usize,
     /// Additions and subtractions.
     pub add: usize,
+    /// Exponentials of numbers.
+    pub exp: usize,
 }
 
 /// A directed acyclic graph of operations with its outputs.
@@ -198,6 +207,21 @@ impl Graph {
         self.node(Node::Sqrt(a.id))
     }
 
+    /// The smaller of `a` and `b`.
+    pub fn min(&mut self, a: Value, b: Value) -> Value {
+        self.node(Node::Min(a, b))
+    }
+
+    /// The larger of `a` and `b`.
+    pub fn max(&mut self, a: Value, b: Value) -> Value {
+        self.node(Node::Max(a, b))
+    }
+
+    /// `e^a`.
+    pub fn exp(&mut self, a: Value) -> Value {
+        self.node(Node::Exp(a))
+    }
+
     /// `then` where `a < b`, `otherwise` elsewhere; `a` and `b` must carry no sign.
     pub fn select(&mut self, a: Value, b: Value, then: Value, otherwise: Value) -> Value {
         assert!(!a.negative && !b.negative, "a comparison of negated nodes");
@@ -239,6 +263,8 @@ impl Graph {
             Node::Add(a, b) | Node::Sub(a, b) | Node::Mul(a, b) | Node::Div(a, b) => vec![a, b],
             Node::MulAdd(a, b, c, _) => vec![a, b, c],
             Node::Sqrt(a) => vec![a],
+            Node::Min(a, b) | Node::Max(a, b) => vec![a.id, b.id],
+            Node::Exp(a) => vec![a.id],
             Node::Select(a, b, c, d) => vec![a, b, c.id, d.id],
         }
     }
@@ -267,7 +293,8 @@ impl Graph {
                 continue;
             }
             match node {
-                Node::Add(..) | Node::Sub(..) => ops.add += 1,
+                Node::Add(..) | Node::Sub(..) | Node::Min(..) | Node::Max(..) => ops.add += 1,
+                Node::Exp(_) => ops.exp += 1,
                 Node::Mul(..) | Node::Div(..) | Node::Sqrt(_) => ops.mul += 1,
                 Node::MulAdd(..) => {
                     ops.mul += 1;
@@ -319,6 +346,9 @@ impl Graph {
                 Node::MulAdd(a, b, c, [p, t]) => flip(v[a] * v[b], p) + flip(v[c], t),
                 Node::Div(a, b) => v[a] / v[b],
                 Node::Sqrt(a) => v[a].sqrt(),
+                Node::Min(a, b) => signed(&v, a).min(signed(&v, b)),
+                Node::Max(a, b) => signed(&v, a).max(signed(&v, b)),
+                Node::Exp(a) => signed(&v, a).exp(),
                 Node::Select(a, b, c, d) => signed(&v, if v[a] < v[b] { c } else { d }),
             };
             v.push(value);
@@ -354,7 +384,14 @@ mod tests {
         let (before, ops) = (g.evaluate(&[&[2.0, 3.0, 5.0]]), g.ops());
         g.fuse();
         assert_eq!((g.evaluate(&[&[2.0, 3.0, 5.0]]), g.ops()), (before, ops));
-        assert_eq!(ops, Ops { mul: 2, add: 2 });
+        assert_eq!(
+            ops,
+            Ops {
+                mul: 2,
+                add: 2,
+                exp: 0
+            }
+        );
         assert!(
             g.nodes
                 .iter()

@@ -1,49 +1,84 @@
 //! Fitted functions: polynomials whose coefficients are data, rewritten by `gaunt fit`.
 //!
-//! The files in `codegen/data/` hold one row of numbers a line; `#` starts a comment. They are compiled in,
-//! so that nobody who builds this crate runs a fit.
+//! The files in `codegen/data/` hold one row of numbers a line, after the words it is found by; `#` starts a
+//! comment. They are compiled in, so that nobody who builds this crate runs a fit.
 
 use crate::expr::{Graph, Value};
 
 const CAP_LOG: &str = include_str!("../data/cap_log.txt");
 const CAP_LOG_TABLE: &str = include_str!("../data/cap_log_table.txt");
 const OPTIMAL_LINEAR: &str = include_str!("../data/optimal_linear.txt");
+const SATURATING: &str = include_str!("../data/saturating.txt");
 
-/// The rows of a data file that start with `key`, without it.
-fn rows(text: &str, key: usize) -> Vec<Vec<f64>> {
+/// What the cap logarithms are fitted to, as the data file names it: the exponentials, and the eigen logarithm
+/// itself.
+pub const CAP_LOGS: [&str; 8] = [
+    "saturating",
+    "sampled",
+    "sampled_coarse",
+    "sampled_fine",
+    "ps_star",
+    "hyb",
+    "optimal_linear",
+    "eigen",
+];
+
+/// The rows of a data file that start with these words, without them.
+fn rows(text: &str, words: &[&str]) -> Vec<Vec<f64>> {
     text.lines()
         .filter_map(|line| line.split('#').next())
-        .map(|line| {
-            line.split_whitespace()
+        .map(|line| line.split_whitespace().collect::<Vec<_>>())
+        .filter(|row| row.len() > words.len() && row[..words.len()] == *words)
+        .map(|row| {
+            row[words.len()..]
+                .iter()
                 .map(|word| {
                     word.parse()
                         .unwrap_or_else(|_| panic!("fitted data: `{word}` is no number"))
                 })
-                .collect::<Vec<f64>>()
+                .collect()
         })
-        .filter(|row| row.first() == Some(&(key as f64)))
-        .map(|row| row[1..].to_vec())
         .collect()
 }
 
-/// Coefficients of the fitted cap logarithm: for each band, powers of u = 2 cos θ − 1, lowest first.
-pub fn cap_log_coefficients(order: usize) -> Vec<Vec<f64>> {
-    rows(CAP_LOG, order)
+/// Coefficients of a fitted cap logarithm, by what it is fitted to (see [`CAP_LOGS`]): for each band, powers of
+/// u = 2 cos θ − 1, lowest first.
+pub fn cap_log_coefficients(fitted_to: &str, order: usize) -> Vec<Vec<f64>> {
+    let bands = rows(CAP_LOG, &[fitted_to, &order.to_string()]);
+    assert_eq!(
+        bands.len(),
+        order,
+        "cap_log.txt has no fit `{fitted_to}` of order {order}"
+    );
+    bands
 }
 
 /// The eigen logarithm of a cap's visibility at every whole degree 0..=179: n zonal coefficients each.
 pub fn cap_log_table(order: usize) -> Vec<Vec<f64>> {
-    rows(CAP_LOG_TABLE, order)
+    rows(CAP_LOG_TABLE, &[&order.to_string()])
 }
 
-/// Coefficients of a and b of the optimal linear exponential, powers of ‖f̂‖, lowest first.
+/// Coefficients of a and b of the optimal linear exponential for small norms, powers of ‖f̂‖, lowest first.
 pub fn optimal_linear_coefficients(order: usize) -> Vec<Vec<f64>> {
-    rows(OPTIMAL_LINEAR, order)
+    rows(OPTIMAL_LINEAR, &["small", &order.to_string()])
+}
+
+/// The same over the whole range: the norm that it ends at, and powers of ‖f̂‖ over that norm.
+pub fn optimal_linear_wide(order: usize) -> (f64, Vec<Vec<f64>>) {
+    let order = order.to_string();
+    let range = rows(OPTIMAL_LINEAR, &["range", &order]);
+    (range[0][0], rows(OPTIMAL_LINEAR, &["wide", &order]))
+}
+
+/// What the saturating exponential of an order is made of: the compression β and the gain of each band.
+pub fn saturating(order: usize) -> (f64, Vec<f64>) {
+    let row = &rows(SATURATING, &[&order.to_string()])[0];
+    (row[0], row[1..].to_vec())
 }
 
 /// `f_l(θ) = sin²θ · p_l(2 cos θ − 1)`: exactly 0 for θ = 0, and in proportion to the solid angle near it.
-pub fn cap_log(g: &mut Graph, order: usize, sin: Value, cos: Value) -> Vec<Value> {
-    bands(g, &cap_log_coefficients(order), sin, cos)
+pub fn cap_log(g: &mut Graph, fitted_to: &str, order: usize, sin: Value, cos: Value) -> Vec<Value> {
+    bands(g, &cap_log_coefficients(fitted_to, order), sin, cos)
 }
 
 fn bands(g: &mut Graph, coefficients: &[Vec<f64>], sin: Value, cos: Value) -> Vec<Value> {
@@ -60,26 +95,20 @@ fn bands(g: &mut Graph, coefficients: &[Vec<f64>], sin: Value, cos: Value) -> Ve
         .collect()
 }
 
-/// `f + zonal(cap_log(θ), d)`: what one blocker adds to a receiver's log visibility. The factors that turn a
-/// zonal vector are multiplied into the fitted coefficients, and those of the basis stay with the basis.
-pub fn add_cap_log(
-    g: &mut Graph,
-    order: usize,
-    f: &[Value],
-    sin: Value,
-    cos: Value,
-    d: &[Value],
-) -> Vec<Value> {
-    let mut coefficients = cap_log_coefficients(order);
+/// `f + zonal(cap_log(θ), d)`: what one blocker adds to a receiver's log visibility; `a` is f, sin θ, cos θ, d.
+/// The factors that turn a zonal vector are multiplied into the fitted coefficients, and those of the basis stay
+/// with the basis.
+pub fn add_cap_log(g: &mut Graph, fitted_to: &str, order: usize, a: &[Vec<Value>]) -> Vec<Value> {
+    let mut coefficients = cap_log_coefficients(fitted_to, order);
     for (l, band) in coefficients.iter_mut().enumerate() {
         for c in band {
             *c *= crate::basis::turn(l).to_f64();
         }
     }
-    let weights = bands(g, &coefficients, sin, cos);
-    let y = crate::basis::basis(g, order, d);
+    let weights = bands(g, &coefficients, a[1][0], a[2][0]);
+    let y = crate::basis::basis(g, order, &a[3]);
     (0..order * order)
-        .map(|i| g.mul_add(weights[i.isqrt()], y[i], f[i]))
+        .map(|i| g.mul_add(weights[i.isqrt()], y[i], a[0][i]))
         .collect()
 }
 
@@ -89,4 +118,13 @@ pub fn optimal_linear(g: &mut Graph, order: usize, norm: Value) -> Vec<Value> {
         .iter()
         .map(|c| g.horner(c, norm))
         .collect()
+}
+
+/// `[a, b]` for any norm; beyond the range of the fit they stay as they are at its end.
+pub fn optimal_linear_any(g: &mut Graph, order: usize, norm: Value) -> Vec<Value> {
+    let (range, polynomials) = optimal_linear_wide(order);
+    let end = g.constant(range);
+    let inside = g.min(norm, end);
+    let x = g.scale(1.0 / range, inside);
+    polynomials.iter().map(|c| g.horner(c, x)).collect()
 }

@@ -6,6 +6,7 @@ use crate::expr::{Graph, Ops, Value};
 use crate::fits;
 use crate::rings::Rings;
 use crate::rotation;
+use crate::sampled::{self, Fineness};
 
 /// The orders that routines are generated for.
 pub const ORDERS: std::ops::RangeInclusive<usize> = 2..=6;
@@ -271,12 +272,12 @@ pub const ROUTINES: &[Routine] = &[
     },
     Routine {
         name: "cap_log",
-        doc: "Zonal coefficients of the logarithm of the visibility past a circular blocker of angular radius θ about +Z, for θ in 0..π/2, from its sine and cosine; no table look-up.\n\nAgainst the eigen logarithm, whose values reach 6.5, it errs by at most 0.004, 0.46, 0.41, 0.37 and 0.43 at orders 2 to 6, near the kinks where an eigenvalue is clipped; in the visibility that the exponential makes of it by at most 0.001, 0.060, 0.047, 0.042 and 0.036 of full visibility, as much as the eigen logarithm itself. Beyond π/2 the polynomials mean nothing: hand in π/2.",
+        doc: "Zonal coefficients of the eigen logarithm of the visibility past a circular blocker of angular radius θ about +Z, for θ in 0..π/2, from its sine and cosine; no table look-up.\n\nAgainst the eigen logarithm, whose values reach 6.5, it errs by at most 0.004, 0.46, 0.41, 0.37 and 0.43 at orders 2 to 6, near the kinks where an eigenvalue is clipped; in the visibility that the exponential makes of it by at most 0.001, 0.060, 0.047, 0.042 and 0.036 of full visibility, as much as the eigen logarithm itself. Beyond π/2 the polynomials mean nothing: hand in π/2.",
         source: "Ren et al. 2006, eq. 30–32, fitted; `gaunt fit` rewrites the coefficients and states their error.",
         example: "assert_eq!(<[f64; 16]>::cap_log(0.0, 1.0), [0.0; 4]);\nassert!(<[f64; 16]>::cap_log(0.6, 0.8)[0] < 0.0);",
         arguments: &[SIN, COS],
         result: Shape::Zonal,
-        build: |g, n, a| fits::cap_log(g, n, a[0][0], a[1][0]),
+        build: |g, n, a| fits::cap_log(g, "eigen", n, a[0][0], a[1][0]),
     },
     Routine {
         name: "add_cap_log",
@@ -285,7 +286,61 @@ pub const ROUTINES: &[Routine] = &[
         example: "let (sin, cos, d) = (0.6, 0.8, [0.6, 0.0, 0.8]);\nlet sum = [0.0_f64; 16].add_cap_log(sin, cos, d);\nlet turned = <[f64; 16]>::zonal(<[f64; 16]>::cap_log(sin, cos), d);\nassert!(sum.iter().zip(turned).all(|(a, b)| (a - b).abs() < 1e-12));",
         arguments: &[F, SIN, COS, D],
         result: Shape::Vector,
-        build: |g, n, a| fits::add_cap_log(g, n, &a[0], a[1][0], a[2][0], &a[3]),
+        build: |g, n, a| fits::add_cap_log(g, "eigen", n, a),
+    },
+    Routine {
+        name: "cap_log_saturating",
+        doc: "As `cap_log`, fitted to `exp_saturating` in the place of the eigen logarithm: sums of it over blockers are what that exponential is made for, and no other is. θ in 0..π/2.",
+        source: "Ren et al. 2006, eq. 33–34, with the logarithm fitted against true visibilities; `gaunt fit` rewrites the coefficients, `gaunt accuracy` states their error.",
+        example: "assert_eq!(<[f64; 16]>::cap_log_saturating(0.0, 1.0), [0.0; 4]);\nassert!(<[f64; 16]>::cap_log_saturating(0.6, 0.8)[0] < 0.0);",
+        arguments: &[SIN, COS],
+        result: Shape::Zonal,
+        build: |g, n, a| fits::cap_log(g, "saturating", n, a[0][0], a[1][0]),
+    },
+    Routine {
+        name: "add_cap_log_saturating",
+        doc: "`f` plus the logarithm `cap_log_saturating` of the visibility past a circular blocker about the unit vector `d`: what one blocker costs a receiver of the shadow pass. The angular radius θ in 0..π/2 comes as its sine and cosine.",
+        source: "Ren et al. 2006, eq. 34 and 8, with the fitted logarithm of `cap_log_saturating`.",
+        example: "let (sin, cos, d) = (0.6, 0.8, [0.6, 0.0, 0.8]);\nlet sum = [0.0_f64; 16].add_cap_log_saturating(sin, cos, d);\nlet turned = <[f64; 16]>::zonal(<[f64; 16]>::cap_log_saturating(sin, cos), d);\nassert!(sum.iter().zip(turned).all(|(a, b)| (a - b).abs() < 1e-12));",
+        arguments: &[F, SIN, COS, D],
+        result: Shape::Vector,
+        build: |g, n, a| fits::add_cap_log(g, "saturating", n, a),
+    },
+    Routine {
+        name: "exp_saturating",
+        doc: "The visibility behind all blockers from `f`, the sum of their `cap_log_saturating`: samples of f, held in bounds by a fitted function in the place of e^x, projected back. The exponential of the shadow pass.\n\nWith x = f/√(1 + β‖f̂‖²/4π), f̂ being f without its mean, and t = x(s) held in −1..0.2, a sample becomes h(t) = ((1 + t)(1 − t/4))²: 1 for f = 0, at most 1.2996, and 0 where f says dark. Ripples of many overlapping blockers, which grow with their number, are compressed to the size of one blocker's; no |f| makes it diverge.\n\nPromises for any finite f: every sample lies in 0..=1.2996 before projection; the norm of the result is at most 1.2996 √4π. A number that is not finite makes the result NaN or finite, never infinite. f is told apart up to ‖f̂‖ = 3e18.",
+        source: "Sampling rules: Lebedev 1976; β, the gains of the projection's bands and the logarithm fitted against true visibilities by `gaunt fit`.",
+        example: "let f = [-1e6_f64; 16];\nassert!(f.exp_saturating().iter().all(|g| g.abs() < 1.3 * sh_core::ROOT_FOUR_PI));\nlet clear = [0.0_f64; 16].exp_saturating();\nassert!((clear[0] - sh_core::ROOT_FOUR_PI).abs() < 1e-14);",
+        arguments: &[F],
+        result: Shape::Vector,
+        build: |g, n, a| sampled::saturating(g, n, &a[0]),
+    },
+    Routine {
+        name: "exp_sampled",
+        doc: "The exponential of `f` at samples, exp(min(f(s), 0.15)), projected back; on 14, 26, 50, 86 and 86 points for orders 2 to 6. Every sample lies in 0..=1.162.",
+        source: "Ren et al. 2006, eq. 10, by quadrature (Lebedev 1976) and clamped from above.",
+        example: "let mut f = [0.0_f64; 16];\nf[0] = -0.5 * sh_core::ROOT_FOUR_PI;\nassert!((f.exp_sampled()[0] - (-0.5_f64).exp() * sh_core::ROOT_FOUR_PI).abs() < 1e-14);",
+        arguments: &[F],
+        result: Shape::Vector,
+        build: |g, n, a| sampled::clamped(g, n, Fineness::Medium, &a[0]),
+    },
+    Routine {
+        name: "exp_sampled_coarse",
+        doc: "As `exp_sampled`, on 6, 14, 38, 50 and 50 points for orders 2 to 6.",
+        source: "Ren et al. 2006, eq. 10, by quadrature (Lebedev 1976) and clamped from above.",
+        example: "assert!([0.1_f32; 16].exp_sampled_coarse()[0] > sh_core::ROOT_FOUR_PI as f32);",
+        arguments: &[F],
+        result: Shape::Vector,
+        build: |g, n, a| sampled::clamped(g, n, Fineness::Coarse, &a[0]),
+    },
+    Routine {
+        name: "exp_sampled_fine",
+        doc: "As `exp_sampled`, on 26, 38, 86, 110 and 110 points for orders 2 to 6.",
+        source: "Ren et al. 2006, eq. 10, by quadrature (Lebedev 1976) and clamped from above.",
+        example: "assert!([0.1_f32; 16].exp_sampled_fine()[0] > sh_core::ROOT_FOUR_PI as f32);",
+        arguments: &[F],
+        result: Shape::Vector,
+        build: |g, n, a| sampled::clamped(g, n, Fineness::Fine, &a[0]),
     },
     Routine {
         name: "optimal_linear",
@@ -295,6 +350,15 @@ pub const ROUTINES: &[Routine] = &[
         arguments: &[("norm", Shape::Scalar)],
         result: Shape::Pair,
         build: |g, n, a| fits::optimal_linear(g, n, a[0][0]),
+    },
+    Routine {
+        name: "optimal_linear_wide",
+        doc: "The factors a and b of the optimal linear exponential a·1 + b·f̂ for a vector without DC of any norm ‖f̂‖, as a circle of that norm has them. Beyond the norm of the largest circle they stay as they are there.",
+        source: "Ren et al. 2006, eq. 23–24 and Figure 3, fitted; `gaunt fit` rewrites the coefficients and states their error.",
+        example: "let [a, b] = <[f64; 16]>::optimal_linear_wide(2.0);\nassert!(a > 1.0 && b > 0.5);",
+        arguments: &[("norm", Shape::Scalar)],
+        result: Shape::Pair,
+        build: |g, n, a| fits::optimal_linear_any(g, n, a[0][0]),
     },
 ];
 

@@ -59,58 +59,29 @@ impl Pass {
     }
 }
 
-macro_rules! linked {
-    ($name:literal, $order:expr) => {
-        match $order {
-            2 => Some(include_str!(concat!(
-                env!("OUT_DIR"),
-                "/",
-                $name,
-                "_2.wgsl"
-            ))),
-            3 => Some(include_str!(concat!(
-                env!("OUT_DIR"),
-                "/",
-                $name,
-                "_3.wgsl"
-            ))),
-            4 => Some(include_str!(concat!(
-                env!("OUT_DIR"),
-                "/",
-                $name,
-                "_4.wgsl"
-            ))),
-            5 => Some(include_str!(concat!(
-                env!("OUT_DIR"),
-                "/",
-                $name,
-                "_5.wgsl"
-            ))),
-            6 => Some(include_str!(concat!(
-                env!("OUT_DIR"),
-                "/",
-                $name,
-                "_6.wgsl"
-            ))),
-            _ => None,
-        }
-    };
-}
+include!(concat!(env!("OUT_DIR"), "/sources.rs"));
 
 /// The flat WGSL text of a pass at an SH order, or `None` for an order outside [`MIN_ORDER`] to
-/// [`MAX_ORDER`].
+/// [`MAX_ORDER`]. The shadow pass accumulates in the same order; see [`shadow`].
 pub fn source(pass: Pass, order: usize) -> Option<&'static str> {
-    match pass {
-        Pass::Gbuffer => linked!("gbuffer", order),
-        Pass::Irradiance => linked!("irradiance", order),
-        Pass::Shadow => linked!("shadow", order),
-        Pass::Resolve => linked!("resolve", order),
-    }
+    linked(pass.name(), order, order)
+}
+
+/// The shadow pass for light of an SH order that accumulates logarithms in the order `accumulation`, at least
+/// `order`: of the exponential of that sum the lower bands are more accurate than those of a sum of their own.
+/// `None` outside [`MIN_ORDER`] to [`MAX_ORDER`].
+///
+/// ```
+/// assert!(sh_kernels::shadow(4, 6).is_some_and(|wgsl| wgsl.contains("sh6_exp_saturating")));
+/// assert!(sh_kernels::shadow(4, 3).is_none());
+/// ```
+pub fn shadow(order: usize, accumulation: usize) -> Option<&'static str> {
+    linked(Pass::Shadow.name(), order, accumulation)
 }
 
 /// The routines of an SH order as a WGSL function library, without any pass: all that sh-codegen generates,
-/// and the exponential, `sh4_exponential_ps_star` and `sh4_exponential_hyb` at order 4. `None` for an order
-/// outside [`MIN_ORDER`] to [`MAX_ORDER`].
+/// and the exponentials that are made of products, `sh4_exp_product_series`, `sh4_exp_ps_star`, `sh4_exp_hyb` and
+/// `sh4_exp_optimal_linear` at order 4. `None` for an order outside [`MIN_ORDER`] to [`MAX_ORDER`].
 pub fn library(order: usize) -> Option<&'static str> {
-    linked!("library", order)
+    linked("library", order, order)
 }

@@ -6,8 +6,9 @@
 //!    what that imports, each once, before the importing text. `#import library` is the library that
 //!    sh-codegen generates for the order at hand. An import that does not exist is an error that names
 //!    file and line.
-//! 2. **Specialisation.** `$N` stands for the order, `$C` for its number of coefficients and `$E` for the
-//!    method of the exponential, as in `sh$N_product`, `array<f32, $C>` and `exponential_$E`.
+//! 2. **Specialisation.** `$N` stands for the order and `$C` for its number of coefficients, as in
+//!    `sh$N_product` and `array<f32, $C>`; `$A` and `$B` for the same of the order that logarithms are
+//!    accumulated in.
 //! 3. **Pruning.** Only what the entry points reach stays: drivers compile every function they are given.
 //!
 //! The linker knows the items of a module by their form: an item starts at the left margin, with its
@@ -45,18 +46,18 @@ struct Item {
 
 /// What the placeholders stand for.
 #[derive(Clone, Copy, Debug)]
-pub struct Choice<'a> {
+pub struct Choice {
     /// SH order.
     pub order: usize,
-    /// Method of the exponential.
-    pub exponential: &'a str,
+    /// SH order of the accumulated logarithms, at least `order`.
+    pub accumulation: usize,
 }
 
 /// Links the module `root`: what its entry points reach, or all of it where it has none. `read` gives a
 /// module's text by its import name, if there is such a module.
 pub fn link(
     root: &str,
-    choice: Choice<'_>,
+    choice: Choice,
     read: &dyn Fn(&str) -> Option<String>,
 ) -> Result<String, LinkError> {
     let mut items = Vec::new();
@@ -83,7 +84,7 @@ pub fn link(
 fn gather(
     module: &str,
     text: &str,
-    choice: Choice<'_>,
+    choice: Choice,
     read: &dyn Fn(&str) -> Option<String>,
     seen: &mut HashSet<String>,
     items: &mut Vec<Item>,
@@ -137,18 +138,22 @@ fn gather(
     Ok(())
 }
 
-/// A line with `$N`, `$C` and `$E` filled in.
-fn specialise(line: &str, choice: Choice<'_>) -> Result<String, String> {
-    let coefficients = choice.order * choice.order;
+/// A line with its placeholders filled in.
+fn specialise(line: &str, choice: Choice) -> Result<String, String> {
+    let Choice {
+        order,
+        accumulation,
+    } = choice;
     let line = line
-        .replace("$N", &choice.order.to_string())
-        .replace("$C", &coefficients.to_string())
-        .replace("$E", choice.exponential);
+        .replace("$N", &order.to_string())
+        .replace("$C", &(order * order).to_string())
+        .replace("$A", &accumulation.to_string())
+        .replace("$B", &(accumulation * accumulation).to_string());
     match line.find('$') {
         None => Ok(line),
         Some(at) => Err(format!(
-            "`{}` is no placeholder; there are $N, the order, $C, its number of coefficients, and $E, the \
-             method of the exponential",
+            "`{}` is no placeholder; there are $N, the order, $C, its number of coefficients, and $A and $B, the \
+             same of the accumulation",
             line[at..].chars().take(2).collect::<String>()
         )),
     }

@@ -13,10 +13,10 @@ fn files(list: &[(&str, &str)]) -> impl Fn(&str) -> Option<String> + use<> {
     move |name| list.iter().find(|(n, _)| n == name).map(|(_, t)| t.clone())
 }
 
-fn of(order: usize) -> Choice<'static> {
+fn of(order: usize) -> Choice {
     Choice {
         order,
-        exponential: "hyb",
+        accumulation: 6,
     }
 }
 
@@ -49,10 +49,11 @@ fn unused_items_go_and_keep_their_comments_to_themselves() {
 
 #[test]
 fn placeholders_are_filled_in() {
-    let pass =
-        format!("fn used() {{\n    var f: array<f32, $C> = sh$N_exponential_$E();\n}}\n{MAIN}");
+    let pass = format!(
+        "fn used() {{\n    var f: array<f32, $C> = sh$N_narrow(sh$A_wide($Bu));\n}}\n{MAIN}"
+    );
     let text = link("pass", of(3), &files(&[("pass", &pass)])).unwrap();
-    assert!(text.contains("array<f32, 9> = sh3_exponential_hyb()"));
+    assert!(text.contains("array<f32, 9> = sh3_narrow(sh6_wide(36u))"));
 }
 
 fn error(pass: &str) -> LinkError {

@@ -64,6 +64,36 @@ pub fn heavy(seed: u64, count: usize) -> Vec<Vec<Cap>> {
         .collect()
 }
 
+/// `count` sets of blockers all around, which leave little or nothing of the sky. The number of caps in each is
+/// uniform in 24..=64, their axes are uniform on the whole sphere, their angular radii uniform in 25°..60°.
+///
+/// ```
+/// let sets = sh_reference::blockers::enclosing(1, 10);
+/// assert!(sets.iter().all(|caps| (24..=64).contains(&caps.len())));
+/// ```
+pub fn enclosing(seed: u64, count: usize) -> Vec<Vec<Cap>> {
+    let mut numbers = Numbers { state: seed };
+    (0..count)
+        .map(|_| {
+            let caps = numbers.whole(24, 64);
+            (0..caps)
+                .map(|_| {
+                    let [x, y, z] = numbers.upper();
+                    let z = if numbers.between(0.0, 1.0) < 0.5 {
+                        z
+                    } else {
+                        -z
+                    };
+                    Cap {
+                        axis: [x, y, z],
+                        angle: numbers.between(25.0, 60.0).to_radians(),
+                    }
+                })
+                .collect()
+        })
+        .collect()
+}
+
 /// One set of `count` identical caps of radius `angle` (radians) about +Z, which cover no more than one of them.
 pub fn stacked(angle: f64, count: usize) -> Vec<Vec<Cap>> {
     let axis = [0.0, 0.0, 1.0];

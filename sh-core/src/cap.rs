@@ -1,8 +1,9 @@
 //! A circular blocker by its angular radius: visibility and its logarithm.
 //!
-//! Three ways to the logarithm: the eigenanalysis itself ([`crate::log`], feature `log`), its table at whole
-//! degrees ([`log_table`]), and the fitted polynomial that needs no table look-up
-//! ([`Routines::cap_log`]), for vector lanes and shaders.
+//! Ways to the logarithm: the eigenanalysis itself ([`crate::log`], feature `log`), its table at whole degrees
+//! ([`log_table`]), and fitted polynomials that need no table look-up: one for each exponential
+//! ([`log_fitted_to`]), of which [`Routines::cap_log`] and
+//! [`Routines::cap_log_saturating`] are for vector lanes and shaders.
 
 use crate::{Routines, generated, real};
 
@@ -50,6 +51,60 @@ where
     out
 }
 
+/// What a fitted logarithm is fitted to: the exponential that takes it back, or the eigen logarithm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Fit {
+    /// [`Routines::exp_saturating`]; the fit of [`Routines::cap_log_saturating`].
+    Saturating,
+    /// [`Routines::exp_sampled`].
+    Sampled,
+    /// [`Routines::exp_sampled_coarse`].
+    SampledCoarse,
+    /// [`Routines::exp_sampled_fine`].
+    SampledFine,
+    /// PS*-2, [`crate::exp::ps_star`].
+    Series,
+    /// HYB, [`crate::exp::hyb`].
+    Hybrid,
+    /// OL, [`crate::exp::optimal_linear`].
+    OptimalLinear,
+    /// The eigen logarithm, as nearly as a polynomial follows it; the fit of [`Routines::cap_log`].
+    Eigen,
+}
+
+/// Zonal coefficients of a fitted logarithm of [`visibility`], `angle` in 0..π/2; larger angles are answered as
+/// π/2.
+///
+/// ```
+/// use sh_core::cap::{Fit, log_fitted, log_fitted_to};
+/// let (a, b) = (log_fitted::<16>(0.7), log_fitted_to::<16>(Fit::Eigen, 0.7));
+/// assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13));
+/// ```
+pub fn log_fitted_to<const C: usize>(fit: Fit, angle: f64) -> <[f64; C] as Routines<f64>>::Zonal
+where
+    [f64; C]: Routines<f64>,
+{
+    let angle = angle.min(core::f64::consts::FRAC_PI_2);
+    let (sin, u) = (real::sin(angle), 2.0 * real::cos(angle) - 1.0);
+    let mut out = <[f64; C]>::cap_visibility(1.0, 0.0);
+    for (l, value) in out.as_mut().iter_mut().enumerate() {
+        let powers = fitted(<[f64; C]>::ORDER, fit as usize)[l];
+        *value = sin * sin * powers.iter().rev().fold(0.0, |p, c| p * u + c);
+    }
+    out
+}
+
+/// The polynomials of a fit, band by band. The generated tables are in the order of [`Fit`].
+fn fitted(order: usize, fit: usize) -> &'static [&'static [f64]] {
+    match order {
+        2 => &generated::CAP_LOG_FITS_2[fit].1,
+        3 => &generated::CAP_LOG_FITS_3[fit].1,
+        4 => &generated::CAP_LOG_FITS_4[fit].1,
+        5 => &generated::CAP_LOG_FITS_5[fit].1,
+        _ => &generated::CAP_LOG_FITS_6[fit].1,
+    }
+}
+
 fn table(order: usize, row: usize) -> &'static [f64] {
     match order {
         2 => &generated::CAP_LOG_TABLE_2[row],
@@ -57,5 +112,27 @@ fn table(order: usize, row: usize) -> &'static [f64] {
         4 => &generated::CAP_LOG_TABLE_4[row],
         5 => &generated::CAP_LOG_TABLE_5[row],
         _ => &generated::CAP_LOG_TABLE_6[row],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fits_are_in_the_order_of_the_tables() {
+        let names = generated::CAP_LOG_FITS_4.map(|(name, _)| name);
+        for (fit, name) in [
+            (Fit::Saturating, "saturating"),
+            (Fit::Sampled, "sampled"),
+            (Fit::SampledCoarse, "sampled_coarse"),
+            (Fit::SampledFine, "sampled_fine"),
+            (Fit::Series, "ps_star"),
+            (Fit::Hybrid, "hyb"),
+            (Fit::OptimalLinear, "optimal_linear"),
+            (Fit::Eigen, "eigen"),
+        ] {
+            assert_eq!(names[fit as usize], name);
+        }
     }
 }

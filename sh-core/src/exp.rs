@@ -1,14 +1,25 @@
 //! The exponential of a log visibility.
 //!
-//! Both methods of Ren et al. 2006, section 4, that a shader can afford. They isolate DC analytically
-//! (eq. 20: f = f̂ + f₀/√(4π) · 1), divide f̂ by 2^p, approximate its exponential there, and square the result
-//! p times (eq. 21), with p = max(0, ⌊log₂‖f̂‖⌋ + 3), so that ‖f̂‖/2^p < 1/4. p has no upper limit here: the
-//! cost grows with log₂‖f̂‖.
+//! | | is | cost |
+//! |---|---|---|
+//! | [`Routines::exp_saturating`] | a bounded function of samples; what the shadow pass uses, with [`Routines::cap_log_saturating`] | one pass over a rule |
+//! | [`Routines::exp_sampled`] | e^x of samples, clamped | the same and an exponential a sample |
+//! | [`product_series`] | PS-p: the product series | p − 1 products |
+//! | [`ps_star`] | PS*-p: the factored series, scaled and squared | (p+1)/2 products, log₂‖f̂‖ + 3 squares |
+//! | [`optimal_linear`] | OL: a·1 + b·f̂ | none |
+//! | [`hyb`] | HYB: OL, scaled and squared | log₂‖f̂‖ + 3 squares |
 //!
-//! Domain: ‖f̂‖² must not overflow (‖f̂‖ < 1e19 in f32). Squares truncate to order n each time: for heavily
-//! overlapping blockers (‖f̂‖ above about 10 at order 4) the error of the series grows beyond the visibility
-//! itself, although each operation is accurate. Results are finite while they are smaller than the largest
-//! float; no bound in [0, 1] is promised.
+//! The methods here are those of Ren et al. 2006, section 4, that are made of SH products; their
+//! logarithm is that of [`Routines::cap_log`]. (Their eigenanalysis, eq. 28, is [`crate::log::exp`].) All but the plain series
+//! isolate DC analytically (eq. 20: f = f̂ + f₀/√(4π) · 1). PS* and HYB then divide f̂ by 2^p, approximate its
+//! exponential there, and square the result p times (eq. 21), with p = max(0, ⌊log₂‖f̂‖⌋ + 3), so that
+//! ‖f̂‖/2^p < 1/4. p has no upper limit here: the cost grows with log₂‖f̂‖.
+//!
+//! What they promise: ‖f̂‖² must not overflow (‖f̂‖ < 1e19 in f32). Squares truncate to order n each time: for
+//! heavily overlapping blockers (‖f̂‖ above about 10 at order 4) the error of the series grows beyond the
+//! visibility itself, although each operation is accurate. Results are finite while they are smaller than the
+//! largest float; no bound in [0, 1] is promised. For a result that is bounded whatever goes in, use
+//! [`Routines::exp_saturating`].
 
 use crate::{Lane, ROOT_FOUR_PI, Routines};
 
@@ -33,8 +44,80 @@ where
     scaled(f, |h, _| series(h, degree), Routines::square)
 }
 
-/// PS*-2, the exponential of the shadow pass, with the caller's way to call [`Routines::square`], the only
-/// routine it needs.
+/// exp*(f) by the product series of degree `degree`: PS-p of Ren et al. 2006 (eq. 17).
+///
+/// Without scaling it needs a degree above ‖f‖ to come near; odd and even degrees then err to opposite sides.
+///
+/// ```
+/// use sh_core::{Sh4d, exp};
+/// let g = exp::product_series(&(Sh4d::ONE * -0.5).0, 12);
+/// assert!((g[0] - (-0.5_f64).exp() * Sh4d::ONE[0]).abs() < 1e-12);
+/// ```
+#[inline(always)]
+pub fn product_series<L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    let zero = f[0].lift(0.0);
+    let mut sum = <[L; C]>::filled(zero);
+    sum[0] = zero.lift(ROOT_FOUR_PI);
+    let mut term = *f;
+    for k in 1..=degree {
+        if k > 1 {
+            term = term.product(f).map(|x| x * zero.lift(1.0 / k as f64));
+        }
+        for (a, b) in sum.iter_mut().zip(term) {
+            *a = *a + b;
+        }
+    }
+    sum
+}
+
+/// exp*(f) by the optimal linear approximation: OL of Ren et al. 2006 (eq. 23), with a and b of circles.
+///
+/// Without scaling it blurs where much is blocked; accurate as far as circles of any place agree on a and b
+/// (‖f̂‖ < 4.8 at order 4).
+///
+/// ```
+/// use sh_core::{Sh4d, exp};
+/// let f = Sh4d::basis([0.0, 0.0, 1.0]) * -0.05;
+/// let (linear, series) = (exp::optimal_linear(&f.0), exp::ps_star(&f.0, 6));
+/// assert!(linear.iter().zip(series).all(|(a, b)| (a - b).abs() < 2e-2));
+/// ```
+#[inline(always)]
+pub fn optimal_linear<L: Lane, const C: usize>(f: &[L; C]) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    let mut rest = *f;
+    rest[0] = f[0].lift(0.0);
+    let [a, b] = <[L; C]>::optimal_linear_wide(rest.dot(&rest).sqrt());
+    let mean = (f[0] * f[0].lift(1.0 / ROOT_FOUR_PI)).exp();
+    let mut g = rest.map(|x| x * b * mean);
+    g[0] = a * mean * f[0].lift(ROOT_FOUR_PI);
+    g
+}
+
+/// exp*(f) by the optimal linear approximation after scaling: HYB of Ren et al. 2006.
+///
+/// Where PS* sums a series, HYB takes a·1 + b·f̂ with a and b fitted as functions of ‖f̂‖ (eq. 23–24): no
+/// product but the squares.
+///
+/// ```
+/// use sh_core::{Sh4d, exp};
+/// let mut f = Sh4d::basis([0.0, 0.0, 1.0]) * -0.05;
+/// let (hyb, series) = (exp::hyb(&f.0), exp::ps_star(&f.0, 6));
+/// assert!(hyb.iter().zip(series).all(|(a, b)| (a - b).abs() < 1e-2));
+/// ```
+#[inline(always)]
+pub fn hyb<L: Lane, const C: usize>(f: &[L; C]) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    hybrid(f, Routines::square)
+}
+
+/// PS*-2 with the caller's way to call [`Routines::square`], the only routine it needs.
 ///
 /// A square is some hundred operations, inlined wherever it is used; where that is too much code, or where a
 /// routine must be entered in a certain instruction set, hand in a function that is not inlined.
@@ -62,19 +145,15 @@ where
     scaled(f, series, &square)
 }
 
-/// exp*(f) by the optimal linear approximation after scaling: HYB of Ren et al. 2006.
-///
-/// Where PS* sums a series, HYB takes a·1 + b·f̂ with a and b fitted as functions of ‖f̂‖ (eq. 23–24): no
-/// product but the squares.
+/// [`hyb`] with the caller's way to call [`Routines::square`], as [`quadratic`].
 ///
 /// ```
-/// use sh_core::{Sh4d, exp};
-/// let mut f = Sh4d::basis([0.0, 0.0, 1.0]) * -0.05;
-/// let (hyb, series) = (exp::hyb(&f.0), exp::ps_star(&f.0, 6));
-/// assert!(hyb.iter().zip(series).all(|(a, b)| (a - b).abs() < 1e-2));
+/// use sh_core::{Routines, exp};
+/// let f = [-0.3_f64; 16];
+/// assert_eq!(exp::hybrid(&f, Routines::square), exp::hyb(&f));
 /// ```
 #[inline(always)]
-pub fn hyb<L: Lane, const C: usize>(f: &[L; C]) -> [L; C]
+pub fn hybrid<L: Lane, const C: usize>(f: &[L; C], square: impl Fn(&[L; C]) -> [L; C]) -> [L; C]
 where
     [L; C]: Routines<L>,
 {
@@ -84,7 +163,7 @@ where
         g[0] = a * a.lift(ROOT_FOUR_PI);
         g
     };
-    scaled(f, linear, Routines::square)
+    scaled(f, linear, square)
 }
 
 /// DC isolation and scaling/squaring around an approximation `exp` for vectors without DC of norm < 1/4,

@@ -8,7 +8,8 @@
 //!
 //! inverts the product series of the exponential as far as it can be inverted. Eigenvalues are first
 //! clipped to 0.02 of the largest (eq. 32): g is truncated, so M_g of a visibility may have eigenvalues at
-//! or below zero. This is a preprocess: an eigenanalysis of an n² × n² matrix.
+//! or below zero. This is a preprocess: an eigenanalysis of an n² × n² matrix. [`Logarithm::exp`] is the product
+//! series' limit by the same means (eq. 28).
 
 use crate::{ROOT_FOUR_PI, Routines, real};
 use nalgebra::{SMatrix, SVector};
@@ -30,17 +31,23 @@ pub trait Logarithm: Routines<f64> {
     /// assert!((half[0] / Sh4d::ONE[0] - 0.5_f64.ln()).abs() < 1e-12);
     /// ```
     fn log(&self) -> Self;
+
+    /// exp*(f) = 1 + Rᵀ q(D) R f with q(x) = (e^x − 1)/x, the limit of the product series (eq. 28, 29).
+    ///
+    /// ```
+    /// use sh_core::{Sh4d, exp, log::Logarithm};
+    /// let f = (Sh4d::basis([0.6, 0.0, 0.8]) * -0.2).0;
+    /// let series = exp::product_series(&f, 24);
+    /// assert!(f.exp().iter().zip(series).all(|(a, b)| (a - b).abs() < 1e-12));
+    /// ```
+    fn exp(&self) -> Self;
 }
 
 macro_rules! logarithm {
     ($($c:literal)*) => { $(
         impl Logarithm for [f64; $c] {
             fn log(&self) -> Self {
-                let lower = self.product_matrix();
-                let matrix = SMatrix::<f64, $c, $c>::from_fn(|i, j| {
-                    let (r, c) = (i.max(j), i.min(j));
-                    lower[r * (r + 1) / 2 + c]
-                });
+                let matrix = matrix(self);
                 let mut rest = SVector::<f64, $c>::from_column_slice(self);
                 rest[0] -= ROOT_FOUR_PI;
                 if matrix.amax() == 0.0 {
@@ -55,10 +62,49 @@ macro_rules! logarithm {
                 }
                 (eigen.eigenvectors * along).into()
             }
+
+            fn exp(&self) -> Self {
+                // The mean goes aside, so that a deep shadow is not the difference of large numbers.
+                let mut rest = *self;
+                rest[0] = 0.0;
+                let mean = real::exp(self[0] / ROOT_FOUR_PI);
+                let mut g = [0.0; $c];
+                g[0] = ROOT_FOUR_PI;
+                let matrix = matrix(&rest);
+                if matrix.amax() != 0.0 {
+                    let eigen = matrix.symmetric_eigen();
+                    let mut along = eigen.eigenvectors.tr_mul(&SVector::<f64, $c>::from_column_slice(&rest));
+                    for (a, value) in along.iter_mut().zip(eigen.eigenvalues.iter()) {
+                        *a *= growth(*value);
+                    }
+                    for (g, h) in g.iter_mut().zip((eigen.eigenvectors * along).iter()) {
+                        *g += h;
+                    }
+                }
+                g.map(|g| mean * g)
+            }
         }
     )* };
 }
 logarithm!(4 9 16 25 36);
+
+/// The product matrix of `f`, whole.
+fn matrix<const C: usize>(f: &[f64; C]) -> SMatrix<f64, C, C>
+where
+    [f64; C]: Routines<f64>,
+{
+    let lower = f.product_matrix();
+    let lower = lower.as_ref();
+    SMatrix::from_fn(|i, j| {
+        let (r, c) = (i.max(j), i.min(j));
+        lower[r * (r + 1) / 2 + c]
+    })
+}
+
+/// q(x) = (e^x − 1)/x, 1 at x = 0 (eq. 29).
+fn growth(x: f64) -> f64 {
+    if x == 0.0 { 1.0 } else { real::expm1(x) / x }
+}
 
 /// q'(x) = log(x)/(x − 1), 1 at x = 1. Near 1 the difference x − 1 is exact and keeps every digit; near 0 it
 /// would lose x.

@@ -23,6 +23,7 @@ real! {
 
 #[cfg(feature = "log")]
 real! {
+    expm1, f64, exp_m1;
     log, f64, ln;
     log1p, f64, ln_1p;
 }

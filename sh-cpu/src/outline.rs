@@ -2,7 +2,7 @@
 //!
 //! Generated routines are inlined so that they take over the caller's instruction set. The largest of them,
 //! some thousand operations, must not be copied into every place that uses them: the compiler's time grows
-//! faster than the function (two squares of order 6 inlined in 16 lanes take it minutes). Here each becomes
+//! faster than the function (two products of order 6 inlined in 16 lanes take it minutes). Here each becomes
 //! one function per lane type that enters its instruction set by itself; the call passes vectors through
 //! memory, which costs little beside the routine. Lanes that are wider than a register are halved first: the
 //! instructions are the same in another order, and only one function per instruction set remains.
@@ -18,8 +18,8 @@ pub trait Outline<const C: usize>: Lane
 where
     [Self; C]: Routines<Self>,
 {
-    /// [`Routines::square`].
-    fn square(f: &[Self; C]) -> [Self; C];
+    /// [`Routines::exp_saturating`].
+    fn exp_saturating(f: &[Self; C]) -> [Self; C];
 
     /// [`Routines::product_cosine`].
     fn product_cosine(f: &[Self; C], normal: [Self; 3]) -> [Self; C];
@@ -29,8 +29,8 @@ macro_rules! scalar {
     ($t:ty, $c:literal, $inline:meta) => {
         impl Outline<$c> for $t {
             #[$inline]
-            fn square(f: &[Self; $c]) -> [Self; $c] {
-                Routines::square(f)
+            fn exp_saturating(f: &[Self; $c]) -> [Self; $c] {
+                Routines::exp_saturating(f)
             }
 
             #[$inline]
@@ -55,8 +55,8 @@ macro_rules! register {
     ($lanes:ident, $c:literal) => {
         impl<S: Simd> Outline<$c> for $lanes<S> {
             #[inline(never)]
-            fn square(f: &[Self; $c]) -> [Self; $c] {
-                whole!(f[0].0.simd, Routines::square(f))
+            fn exp_saturating(f: &[Self; $c]) -> [Self; $c] {
+                whole!(f[0].0.simd, Routines::exp_saturating(f))
             }
 
             #[inline(never)]
@@ -95,14 +95,14 @@ macro_rules! wide {
     ($lanes:ident, $half:ident, $c:literal) => {
         impl<S: Simd> Outline<$c> for $lanes<S> {
             #[inline(never)]
-            fn square(f: &[Self; $c]) -> [Self; $c] {
+            fn exp_saturating(f: &[Self; $c]) -> [Self; $c] {
                 let simd = f[0].0.simd;
                 if const { <S::f32s as SimdBase<S>>::LEN >= Self::COUNT } {
-                    return whole!(simd, Routines::square(f));
+                    return whole!(simd, Routines::exp_saturating(f));
                 }
                 whole!(simd, {
                     let (low, high) = halves!(f, $c);
-                    joined!(f, $half::square(&low), $half::square(&high))
+                    joined!(f, $half::exp_saturating(&low), $half::exp_saturating(&high))
                 })
             }
 

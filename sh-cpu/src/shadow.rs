@@ -6,7 +6,7 @@
 //! 2. the logarithm of that sphere's visibility, a zonal function of its angular radius, is turned towards it
 //!    and added: f += F(θ) y(s) (equation 34).
 //!
-//! Then g = exp(f) (section 4) is the visibility of all blockers together, and a channel's radiance is the
+//! Then g = exp(f) (section 4, by [`Routines::exp_saturating`]) is the visibility of all blockers together, and a channel's radiance is the
 //! triple product of light, cosine lobe and visibility, (L, H(N), g) = L · (g * H(N)), held between 0 and the
 //! radiance without blockers.
 //!
@@ -18,7 +18,7 @@ use crate::drive::{Kernel, drive};
 use crate::irradiance::{reflected, unblocked};
 use crate::outline::Outline;
 use crate::{Error, Path};
-use sh_core::{Lane, Routines, exp};
+use sh_core::{Lane, Routines};
 use sh_scene::{Light, Receiver, Sphere};
 
 /// Smallest divisor, in metres: far below any distance that matters, far above the point where its
@@ -88,7 +88,7 @@ where
 {
     let zero = position[0].lift(0.0);
     let log_visibility = accumulate::<L, C>(position, normal, spheres);
-    let visibility = exp::quadratic(&log_visibility, L::square);
+    let visibility = L::exp_saturating(&log_visibility);
     let open = unblocked::<L, C>(normal, light);
     let shadowed = reflected(&L::product_cosine(&visibility, normal), light);
     // A sum of blockers beyond the range of the series is not a number, and fails the comparison.
@@ -126,7 +126,7 @@ where
         }
         for blocker in &batch[..count] {
             // A sine of 0 adds exactly 0.
-            sum = sum.add_cap_log(blocker.sine, blocker.cosine, blocker.direction);
+            sum = sum.add_cap_log_saturating(blocker.sine, blocker.cosine, blocker.direction);
         }
     }
     sum

@@ -164,14 +164,18 @@ fn walking_across_a_sphere_changes_radiance_continuously() {
     ];
     for order in [2, 4, 6] {
         for (name, line) in lines {
-            // A jump keeps its size when steps get finer; a slope's steps shrink with them. (1e-3 of light that
-            // reaches 3 is left for the exponential, whose number of squarings changes on the way; that the
-            // log visibility itself does not jump at all is tested beside its text.)
+            // A jump keeps its size when steps get finer; a slope's steps shrink with them, but not below
+            // rounding. (That the log visibility itself does not jump is tested beside its text.)
             let coarse = walk(order, &ball, 1_000, line);
             let fine = walk(order, &ball, 16_000, line);
-            assert!(order == 2 || coarse > 1e-6, "{name}: nothing happens");
+            // A sphere whose centre is behind the plane grazes the horizon, where light hardly counts.
+            let grazes = name.ends_with("behind");
             assert!(
-                fine < coarse / 4.0 + 1e-3,
+                order == 2 || grazes || coarse > 1e-6,
+                "{name}: nothing happens"
+            );
+            assert!(
+                fine < coarse / 4.0 + 2e-6,
                 "order {order}, {name}: {coarse} then {fine}"
             );
             assert!(fine < 0.01, "order {order}, {name}: {fine} in one step");

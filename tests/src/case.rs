@@ -89,6 +89,7 @@ pub fn arguments(routine: &Routine, order: usize, random: &mut Random, i: usize)
             // The widest argument of the window's cosine.
             ("h", Shape::Scalar) if i == 1 => vec![1.015625],
             ("h", Shape::Scalar) => vec![0.5 + 12.0 * random.unit()],
+            ("norm", _) if routine.name == "optimal_linear_wide" => vec![8.0 * random.unit()],
             ("norm", _) => vec![0.25 * random.unit()],
             (_, Shape::Direction) if i < 6 => {
                 let mut d = vec![0.0; 3];

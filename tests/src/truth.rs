@@ -1,6 +1,7 @@
 //! The f64 truth of every generated routine, from the reference's recurrences and quadratures.
 
-use sh_codegen::fits;
+use sh_codegen::sampled::{self, Fineness};
+use sh_codegen::{fits, octahedral};
 use sh_reference as reference;
 
 fn three(v: &[f64]) -> [f64; 3] {
@@ -19,11 +20,45 @@ fn polynomial(c: &[f64], x: f64) -> f64 {
         .sum()
 }
 
-fn cap_log(order: usize, sin: f64, cos: f64) -> Vec<f64> {
-    fits::cap_log_coefficients(order)
+fn cap_log(fitted_to: &str, order: usize, sin: f64, cos: f64) -> Vec<f64> {
+    fits::cap_log_coefficients(fitted_to, order)
         .iter()
         .map(|c| sin * sin * polynomial(c, 2.0 * cos - 1.0))
         .collect()
+}
+
+fn add_cap_log(fitted_to: &str, order: usize, a: &[Vec<f64>]) -> Vec<f64> {
+    let zonal = cap_log(fitted_to, order, a[1][0], a[2][0]);
+    let turned = reference::zonal::rotated(&zonal, three(&a[3]));
+    a[0].iter().zip(turned).map(|(f, t)| f + t).collect()
+}
+
+/// Samples of f on a rule, a function of each, projected back.
+fn pointwise(order: usize, fineness: Fineness, f: &[f64], h: impl Fn(f64) -> f64) -> Vec<f64> {
+    let mut sum = vec![0.0; order * order];
+    for (point, weight) in octahedral::points(sampled::points(order, fineness)) {
+        let value = h(reference::basis::evaluate(f, point));
+        for (sum, y) in sum.iter_mut().zip(reference::basis::basis(order, point)) {
+            *sum += weight * value * y;
+        }
+    }
+    sum
+}
+
+/// The saturating exponential as its documentation defines it.
+fn saturating(order: usize, f: &[f64]) -> Vec<f64> {
+    let (beta, gains) = fits::saturating(order);
+    let rest: f64 = f[1..].iter().map(|f| f * f).sum();
+    let root = (1.0 + beta * rest / (4.0 * std::f64::consts::PI)).sqrt();
+    let x: Vec<f64> = f.iter().map(|f| f / root).collect();
+    let mut g = pointwise(order, Fineness::Medium, &x, |x| {
+        let t = x.clamp(-1.0, 0.2);
+        ((1.0 + t) * (1.0 - t / 4.0)).powi(2)
+    });
+    for (i, g) in g.iter_mut().enumerate() {
+        *g *= gains[i.isqrt()];
+    }
+    g
 }
 
 /// A rotation matrix's action on a vector, by quadrature like the quaternion's.
@@ -32,6 +67,11 @@ fn rotate_matrix(f: &[f64], m: &[f64]) -> Vec<f64> {
     let back = |s: [f64; 3]| std::array::from_fn(|c| (0..3).map(|r| m[3 * r + c] * s[r]).sum());
     reference::quadrature::Rule::sphere(2 * (order - 1))
         .project(order, |s| reference::basis::evaluate(f, back(s)))
+}
+
+/// The clamped exponential of one sample.
+fn clamped(x: f64) -> f64 {
+    x.min(0.15).exp()
 }
 
 /// What the routine should return for these arguments, or `None` for a routine nobody has written the truth
@@ -76,16 +116,23 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
         "rotate_matrix" => rotate_matrix(&a[0], &a[1]),
         "window" => reference::zonal::window(&a[0], a[1][0]),
         "cap_visibility" => reference::cap::visibility(order, a[1][0].atan2(a[0][0])),
-        "cap_log" => cap_log(order, a[0][0], a[1][0]),
-        "add_cap_log" => {
-            let zonal = cap_log(order, a[1][0], a[2][0]);
-            let turned = reference::zonal::rotated(&zonal, three(&a[3]));
-            a[0].iter().zip(turned).map(|(f, t)| f + t).collect()
-        }
+        "cap_log" => cap_log("eigen", order, a[0][0], a[1][0]),
+        "cap_log_saturating" => cap_log("saturating", order, a[0][0], a[1][0]),
+        "add_cap_log" => add_cap_log("eigen", order, a),
+        "add_cap_log_saturating" => add_cap_log("saturating", order, a),
+        "exp_saturating" => saturating(order, &a[0]),
+        "exp_sampled" => pointwise(order, Fineness::Medium, &a[0], clamped),
+        "exp_sampled_coarse" => pointwise(order, Fineness::Coarse, &a[0], clamped),
+        "exp_sampled_fine" => pointwise(order, Fineness::Fine, &a[0], clamped),
         "optimal_linear" => fits::optimal_linear_coefficients(order)
             .iter()
             .map(|c| polynomial(c, a[0][0]))
             .collect(),
+        "optimal_linear_wide" => {
+            let (range, polynomials) = fits::optimal_linear_wide(order);
+            let x = a[0][0].min(range) / range;
+            polynomials.iter().map(|c| polynomial(c, x)).collect()
+        }
         _ => return None,
     })
 }

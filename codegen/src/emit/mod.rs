@@ -12,7 +12,8 @@ pub(crate) trait Syntax {
     fn input(&self, routine: &Routine, argument: usize, index: usize) -> String;
     fn constant(&self, value: f64) -> String;
     fn mul_add(&self, a: &str, b: &str, c: &str) -> String;
-    fn sqrt(&self, a: &str) -> String;
+    /// A function of one or two numbers that both languages know by the same name.
+    fn call(&self, function: &str, arguments: &[&str]) -> String;
     fn select(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String;
 }
 
@@ -49,7 +50,10 @@ pub(crate) fn statements(
                 syntax.mul_add(&negated(a, product), &name(b), &negated(c, term))
             }
             Node::Div(a, b) => format!("{} / {}", name(a), name(b)),
-            Node::Sqrt(a) => syntax.sqrt(&name(a)),
+            Node::Sqrt(a) => syntax.call("sqrt", &[&name(a)]),
+            Node::Min(a, b) => syntax.call("min", &[&signed(a), &signed(b)]),
+            Node::Max(a, b) => syntax.call("max", &[&signed(a), &signed(b)]),
+            Node::Exp(a) => syntax.call("exp", &[&signed(a)]),
             Node::Select(a, b, c, d) => syntax.select(&name(a), &name(b), &signed(c), &signed(d)),
         };
         text += &format!("    let t{id} = {expression};\n");

@@ -25,8 +25,12 @@ impl Syntax for Rust {
             _ => format!("{a}.mul_add({b}, {c})"),
         }
     }
-    fn sqrt(&self, a: &str) -> String {
-        format!("{a}.sqrt()")
+    fn call(&self, function: &str, arguments: &[&str]) -> String {
+        let (first, rest) = (arguments[0], arguments[1..].join(", "));
+        match first.strip_prefix('-') {
+            Some(_) => format!("({first}).{function}({rest})"),
+            None => format!("{first}.{function}({rest})"),
+        }
     }
     fn select(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String {
         format!("L::select({a}.lt({b}), {then}, {otherwise})")
@@ -215,6 +219,18 @@ pub fn library() -> String {
         );
         for row in table {
             text += &format!("    {row:?},\n");
+        }
+        text += "];\n\n";
+        text += &format!(
+            "/// The fitted logarithms of a cap's visibility by what they are fitted to, order {order}: for each band, powers of 2 cos θ − 1.\npub static CAP_LOG_FITS_{order}: [(&str, [&[f64]; {order}]); {}] = [\n",
+            fits::CAP_LOGS.len()
+        );
+        for name in fits::CAP_LOGS {
+            let bands: Vec<_> = fits::cap_log_coefficients(name, order)
+                .iter()
+                .map(|band| format!("&{band:?}"))
+                .collect();
+            text += &format!("    ({name:?}, [{}]),\n", bands.join(", "));
         }
         text += "];\n\n";
     }

@@ -29,8 +29,8 @@ impl Syntax for Wgsl {
     fn mul_add(&self, a: &str, b: &str, c: &str) -> String {
         format!("fma({a}, {b}, {c})")
     }
-    fn sqrt(&self, a: &str) -> String {
-        format!("sqrt({a})")
+    fn call(&self, function: &str, arguments: &[&str]) -> String {
+        format!("{function}({})", arguments.join(", "))
     }
     fn select(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String {
         format!("select({otherwise}, {then}, {a} < {b})")

@@ -1,0 +1,139 @@
+//! `gaunt fit`: every fitted constant of the library, from its definition.
+//!
+//! | file in `codegen/data/` | holds | fitted to |
+//! |---|---|---|
+//! | `cap_log.txt` | polynomials of the logarithm of a circle's visibility | each exponential, against true visibilities; the eigen logarithm |
+//! | `cap_log_table.txt` | the eigen logarithm at whole degrees | nothing: computed |
+//! | `optimal_linear.txt` | factors of the optimal linear exponential | circles |
+//! | `saturating.txt` | compression and gains of the saturating exponential | true visibilities, together with its logarithm |
+//!
+//! The library compiles the files in. A test refits and compares.
+
+mod circles;
+mod linear;
+mod marquardt;
+mod sets;
+mod visibility;
+
+use crate::Error;
+use crate::image::Output;
+use crate::progress::Progress;
+use std::fmt::Write;
+use std::path::Path;
+
+pub use circles::eigen_log;
+
+/// A data file: its name in `codegen/data/` and its text.
+pub struct DataFile {
+    /// File name.
+    pub name: &'static str,
+    /// Contents.
+    pub text: String,
+}
+
+/// The texts that grow order by order.
+struct Texts {
+    cap_log: String,
+    cap_log_table: String,
+    optimal_linear: String,
+    saturating: String,
+}
+
+/// All fitted data. `progress` is told the part that is done, 0 to 1.
+pub fn all(progress: &(dyn Fn(f32) + Sync)) -> Vec<DataFile> {
+    let mut texts = Texts {
+        cap_log: String::from(
+            "# The logarithm of a cap's visibility, fitted: f_l = sin^2(t) p_l(2 cos t - 1), t in 0..90 degrees.\n\
+             # `eigen`: least squares against the eigen logarithm (Ren et al. 2006, eq. 30-32) over half degrees.\n\
+             # All others: against true visibilities, so that the exponential of that name errs least.\n\
+             # Written by `gaunt fit`. Columns: what it is fitted to, order, coefficients of p_l from the lowest\n\
+             # power; a row a band.\n",
+        ),
+        cap_log_table: String::from(
+            "# The eigen logarithm of a cap's visibility (Ren et al. 2006, eq. 30-32, clipped at 0.02).\n\
+             # Written by `gaunt fit`. Columns: order, n zonal coefficients; a row a degree, 0..179.\n",
+        ),
+        optimal_linear: String::from(
+            "# Factors a and b of the optimal linear exponential (Ren et al. 2006, eq. 23-24).\n\
+             # Written by `gaunt fit`. Columns: `small` (|f| in 0..1/4) or `wide` (powers of |f|/range), order,\n\
+             # coefficients from the lowest power, first a, then b; `range`, order, the range.\n",
+        ),
+        saturating: String::from(
+            "# The saturating exponential, fitted with its cap logarithm (`saturating` in cap_log.txt).\n\
+             # Written by `gaunt fit`. Columns: order, compression, gain of each band.\n",
+        ),
+    };
+    // Shares of the time by order.
+    let shares = [0.0, 0.03, 0.1, 0.25, 0.5, 1.0];
+    order::<4>(&mut texts, &part(progress, &shares, 0));
+    order::<9>(&mut texts, &part(progress, &shares, 1));
+    order::<16>(&mut texts, &part(progress, &shares, 2));
+    order::<25>(&mut texts, &part(progress, &shares, 3));
+    order::<36>(&mut texts, &part(progress, &shares, 4));
+    [
+        ("cap_log.txt", texts.cap_log),
+        ("cap_log_table.txt", texts.cap_log_table),
+        ("optimal_linear.txt", texts.optimal_linear),
+        ("saturating.txt", texts.saturating),
+    ]
+    .map(|(name, text)| DataFile { name, text })
+    .into()
+}
+
+/// Progress within one order.
+fn part(progress: &(dyn Fn(f32) + Sync), shares: &[f32], order: usize) -> impl Fn(f32) + Sync {
+    let (from, to) = (shares[order], shares[order + 1]);
+    move |done| progress(from + done * (to - from))
+}
+
+fn order<const C: usize>(texts: &mut Texts, progress: &(dyn Fn(f32) + Sync))
+where
+    [f64; C]: sh_core::log::Logarithm,
+{
+    circles::cap_log_table::<C>(&mut texts.cap_log_table);
+    linear::optimal_linear::<C>(&mut texts.optimal_linear);
+    let start = circles::cap_log::<C>(&mut texts.cap_log);
+    visibility::fit::<C>(&start, texts, progress);
+}
+
+/// Writes all fitted data into a folder that exists, and says what changed.
+pub fn write(folder: &Path) -> Result<String, Error> {
+    if !folder.is_dir() {
+        let folder = folder.display();
+        return Err(Error::Usage(format!(
+            "{folder} is no folder: run this at the root of the sources, or name one with --out"
+        )));
+    }
+    let progress = Progress::new("fitting");
+    let files = all(&|part| progress.set(part));
+    progress.finish();
+    let mut lines = Vec::new();
+    for DataFile { name, text } in files {
+        let path = folder.join(name);
+        let before = std::fs::read_to_string(&path).ok();
+        let verdict = match before {
+            Some(before) if before == text => "unchanged",
+            Some(_) => "changed",
+            None => "new",
+        };
+        if verdict != "unchanged" {
+            Output::create(&path)?.finish(|file| {
+                use std::io::Write;
+                let written = file.write_all(text.as_bytes());
+                written.map_err(|source| Error::file("write to", path.display(), source))
+            })?;
+        }
+        lines.push(format!("{} {verdict}", path.display()));
+    }
+    Ok(lines.join("\n"))
+}
+
+/// One row of numbers behind words.
+fn row(text: &mut String, words: &str, values: &[f64]) {
+    write!(text, "{words}").expect("writing to a string");
+    for v in values {
+        // Seven significant digits: beyond the fit's own error, short enough to read.
+        write!(text, " {v:.7e}").expect("writing to a string");
+    }
+    text.push('\n');
+}
