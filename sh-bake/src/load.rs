@@ -243,18 +243,24 @@ fn assemble(
     let camera = match (file.eye.map(Vec3::from), file.target.map(Vec3::from)) {
         (Some(eye), target) => {
             let target = target.unwrap_or(framing.target);
+            let near = eye.distance(target) < Camera::nearest(target);
             // An eye in the very middle looks ahead.
+            let ahead = || eye - Vec3::Z * eye.abs().max_element().max(1.0);
             Camera {
                 eye,
-                target: if eye == target { eye - Vec3::Z } else { target },
+                target: if near { ahead() } else { target },
                 fov,
             }
         }
-        (None, Some(target)) => Camera {
-            eye: framing.eye - framing.target + target,
-            target,
-            fov,
-        },
+        (None, Some(target)) => {
+            let away = framing.eye - framing.target;
+            let grown = (Camera::nearest(target) / away.length()).max(1.0);
+            Camera {
+                eye: target + away * grown,
+                target,
+                fov,
+            }
+        }
         (None, None) => framing,
     };
     Scene {

@@ -2,6 +2,8 @@
 
 use crate::error::{Error, read};
 use crate::keys::{Section, Source};
+use glam::Vec3;
+use sh_scene::Camera;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::de::{DeTable, DeValue};
@@ -132,11 +134,15 @@ impl SceneFile {
                 (1.0..=170.0).contains(&n)
             })?;
             scene.fov = fov.map(f32::to_radians);
-            if scene.eye.is_some() && scene.eye == scene.target {
-                return Err(s.error(
-                    "target",
-                    "is the same point as camera.eye, so there is nowhere to look.",
-                ));
+            if let (Some(eye), Some(target)) = (scene.eye, scene.target) {
+                let target = Vec3::from(target);
+                if Vec3::from(eye).distance(target) < Camera::nearest(target) {
+                    return Err(s.error(
+                        "target",
+                        "is the same point as camera.eye, as far as single precision can tell, so there is \
+                         nowhere to look.",
+                    ));
+                }
             }
         }
         if let Some(s) = section("settings", &["order", "window", "shadows"])? {

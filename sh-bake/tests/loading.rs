@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, Vec3};
 use sh_bake::{SphereSet, load_environment, load_mesh, load_scene, shapes};
-use sh_scene::Mesh;
+use sh_scene::{Mesh, View};
 use std::path::{Path, PathBuf};
 
 fn good(name: &str) -> PathBuf {
@@ -103,6 +103,41 @@ fn a_mesh_file_is_a_scene() {
         scene.objects[0].name,
         "triangle.glb: mesh 0 (flag), primitive 0"
     );
+}
+
+#[test]
+fn a_camera_always_looks_somewhere() {
+    let folder = std::env::temp_dir().join(format!("sh-bake-camera-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("scene.toml");
+    let mesh = good("triangle.glb");
+    for place in ["[0, 0, 0]", "[9e8, -9e8, 9e8]"] {
+        for camera in [
+            "fov = 30",
+            "eye = [0, 0, 0]",
+            "eye = [9e8, -9e8, 9e8]",
+            "target = [9e8, 9e8, 0]",
+        ] {
+            let text = format!(
+                "[[objects]]\nmesh = {mesh:?}\nspheres = 1\nscale = 1e-8\ntranslate = {place}\n\
+                 [environment]\nmap = {:?}\n[camera]\n{camera}\n",
+                good("grey.hdr"),
+            );
+            std::fs::write(&path, text).unwrap();
+            let (scene, _) = load_scene(&path).unwrap();
+            let view = View {
+                camera: scene.camera,
+                width: 4,
+                height: 3,
+            };
+            let axes = view.axes();
+            assert!(
+                axes.iter().all(|a| (a.length() - 1.0).abs() < 1e-5),
+                "{place}, {camera}: {axes:?}"
+            );
+        }
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
 }
 
 #[test]

@@ -20,7 +20,8 @@ impl Camera {
     /// A camera that looks at the box from `min` to `max` from in front (+Z), a little from the right and
     /// from above, near enough that the box fills most of a picture of 4:3 or wider; `fov` is the vertical
     /// field of view in radians ([`Camera::FOV`] is usual). A box without extent is seen from a metre's
-    /// distance.
+    /// distance; one so small and so far from the origin that `f32` could not tell the eye from the target,
+    /// from farther away than would fill the picture.
     ///
     /// ```
     /// use glam::Vec3;
@@ -52,14 +53,21 @@ impl Camera {
             let aside = (c.dot(right) / ASPECT).abs().max(c.dot(up).abs());
             distance = distance.max(c.dot(away) + aside / tall);
         }
-        if distance <= 0.0 {
+        if distance <= 1e-12 {
             distance = 1.0;
         }
+        let distance = distance.max(Self::nearest(target));
         Self {
             eye: target + away * distance,
             target,
             fov,
         }
+    }
+
+    /// How near to `target` an eye may be, in metres, so that rounding leaves it somewhere else and the
+    /// direction between them roughly right.
+    pub fn nearest(target: Vec3) -> f32 {
+        (1e-6 * target.abs().max_element()).max(1e-12)
     }
 }
 
@@ -124,6 +132,27 @@ impl View {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn framing_looks_somewhere_however_small_and_far_the_box() {
+        for size in [0.0, 1e-40, 1e-20, 1e-9, 1.0, 1e9, 1e18] {
+            for place in [0.0, 1e-20, 1.0, 9e8, 1e18] {
+                let min = Vec3::new(place, -place, place);
+                let camera = Camera::framing(min, min + Vec3::splat(size), Camera::FOV);
+                let view = View {
+                    camera,
+                    width: 4,
+                    height: 3,
+                };
+                for axis in view.axes() {
+                    assert!(
+                        (axis.length() - 1.0).abs() < 1e-5,
+                        "{size} at {place}: {camera:?}"
+                    );
+                }
+            }
+        }
+    }
 
     #[test]
     fn framing_shows_every_corner() {
