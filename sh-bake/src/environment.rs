@@ -8,6 +8,7 @@ use image::codecs::openexr::OpenExrDecoder;
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat};
 use sh_scene::EnvironmentMap;
 use std::io::Cursor;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 /// More pixels than any compression puts into a byte. Deflate makes at most 1,032 bytes of one, which is 172
@@ -63,7 +64,9 @@ pub fn load_environment(path: &Path) -> Result<EnvironmentMap, Error> {
     if u64::from(width) * u64::from(height) > most {
         return Err(impossible(width.into(), height.into()));
     }
-    let image = DynamicImage::from_decoder(decoder)
+    // Where arithmetic is checked for overflow, the EXR decoder ends in a panic on some damaged files.
+    let image = catch_unwind(AssertUnwindSafe(|| DynamicImage::from_decoder(decoder)))
+        .map_err(|_| Error::file(path, "the image cannot be decoded: it is damaged."))?
         .map_err(undecodable)?
         .into_rgb32f();
     let pixels: Vec<[f32; 3]> = image.pixels().map(|p| p.0).collect();

@@ -19,6 +19,7 @@ const WRONG: &[(&str, &[&str])] = &[
         "accessor_past_end.gltf",
         &["mesh 0 (flag), primitive 0: POSITION: accessor 0 reads past the end"],
     ),
+    ("b44_overflow.exr", &["the image cannot be decoded"]),
     (
         "bad_corner.obj",
         &["line 4", "`two` is no corner of a face"],

@@ -59,8 +59,8 @@ pub(crate) struct Surface {
 }
 
 impl Surface {
-    /// Cuts the triangles into about `target` pieces. Of a mesh that has far more triangles than that, every
-    /// n-th is taken.
+    /// Cuts the triangles into about `target` pieces, and into some ten times as many where they are needles. Of
+    /// a mesh that has far more triangles than `target`, every n-th is taken.
     pub(crate) fn new(points: &[DVec3], triangles: &[[u32; 3]], target: usize) -> Self {
         let stride = triangles.len().div_ceil(4 * target).max(1);
         let chosen = || {
@@ -73,7 +73,15 @@ impl Surface {
             .map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length())
             .sum();
         // A right triangle with two equal sides and longest edge e has area e² / 4.
-        let edge_squared = (4.0 * area / target as f64).max(f64::MIN_POSITIVE);
+        // A needle has no area to limit its pieces: each halving of the edge makes three of one. So lengths set
+        // an edge as well, which lies below the other for triangles of a common shape.
+        let power = 3.0_f64.log2();
+        let needles: f64 = chosen()
+            .map(|t| longest_squared(&t).powf(0.5 * power))
+            .sum();
+        let edge_squared = (4.0 * area / target as f64)
+            .max((needles / (4 * target) as f64).powf(2.0 / power))
+            .max(f64::MIN_POSITIVE);
         let mut surface = Self {
             points: Vec::new(),
             pieces: Vec::new(),
@@ -172,6 +180,22 @@ mod tests {
             .map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length())
             .sum();
         assert!((area - 0.5).abs() < 1e-12, "{area}");
+    }
+
+    #[test]
+    fn needles_do_not_become_a_multitude() {
+        let needle = |k: u32| {
+            let x = f64::from(k);
+            [
+                DVec3::new(x, 0.0, 0.0),
+                DVec3::new(x, 1e3, 0.0),
+                DVec3::new(x, 5e2, 1e-4),
+            ]
+        };
+        let points: Vec<DVec3> = (0..200).flat_map(needle).collect();
+        let triangles: Vec<[u32; 3]> = (0..200).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        let pieces = Surface::new(&points, &triangles, 1000).pieces.len();
+        assert!(pieces > 1000 && pieces < 16_000, "{pieces}");
     }
 
     #[test]
