@@ -37,7 +37,8 @@
 //! fov = 35                     # vertical, in degrees
 //!
 //! [settings]
-//! order = 4                    # 2 to 6
+//! order = 4                    # of the light, 2 to 6
+//! accumulation_order = 6       # of the shadows' logarithms, from the order to 6: truer and slower; ACCURACY.md
 //! window = 8                   # twice the order where nothing is said
 //! shadows = true
 //! ```

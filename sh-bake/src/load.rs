@@ -6,7 +6,7 @@ use crate::scene_file::{ObjectEntry, SceneFile};
 use crate::{SphereSet, load_environment};
 use glam::{Affine3A, EulerRot, Quat, Vec3};
 use rayon::prelude::*;
-use sh_scene::{Camera, Ground, Mesh, Object, Scene, Settings, Sky};
+use sh_scene::{Camera, Ground, Mesh, Object, Scene, Sky};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -271,10 +271,6 @@ fn assemble(
             albedo: file.ground_albedo,
         }),
         camera,
-        settings: Settings {
-            order: file.order,
-            shadows: file.shadows,
-            window: file.window.unwrap_or(2.0 * file.order as f32),
-        },
+        settings: file.settings,
     }
 }

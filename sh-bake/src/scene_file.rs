@@ -3,7 +3,7 @@
 use crate::error::{Error, read};
 use crate::keys::{Section, Source};
 use glam::Vec3;
-use sh_scene::Camera;
+use sh_scene::{Camera, Settings};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::de::{DeTable, DeValue};
@@ -22,9 +22,7 @@ pub(crate) struct SceneFile {
     pub(crate) target: Option<[f32; 3]>,
     /// Radians.
     pub(crate) fov: Option<f32>,
-    pub(crate) order: usize,
-    pub(crate) window: Option<f32>,
-    pub(crate) shadows: bool,
+    pub(crate) settings: Settings,
 }
 
 /// One of `[[objects]]`.
@@ -145,10 +143,26 @@ impl SceneFile {
                 }
             }
         }
-        if let Some(s) = section("settings", &["order", "window", "shadows"])? {
-            scene.order = s.count("order", 2..=6)?.unwrap_or(scene.order);
-            scene.window = s.number("window", "above 0", |n| n > 0.0)?;
-            scene.shadows = s.boolean("shadows")?.unwrap_or(true);
+        let known = ["order", "accumulation_order", "window", "shadows"];
+        if let Some(s) = section("settings", &known)? {
+            let settings = &mut scene.settings;
+            if let Some(order) = s.count("order", 2..=6)? {
+                *settings = settings.with_order(order);
+            }
+            if let Some(accumulation) = s.count("accumulation_order", 2..=6)? {
+                if accumulation < settings.order {
+                    let order = settings.order;
+                    let message = format!(
+                        "is {accumulation}, but it has to be a whole number from the order, {order}, to 6."
+                    );
+                    return Err(s.error("accumulation_order", message));
+                }
+                settings.accumulation = accumulation;
+            }
+            if let Some(window) = s.number("window", "above 0", |n| n > 0.0)? {
+                settings.window = window;
+            }
+            settings.shadows = s.boolean("shadows")?.unwrap_or(true);
         }
         Ok(scene)
     }
@@ -168,9 +182,7 @@ impl Default for SceneFile {
             eye: None,
             target: None,
             fov: None,
-            order: 4,
-            window: None,
-            shadows: true,
+            settings: Settings::default(),
         }
     }
 }
@@ -235,11 +247,9 @@ mod tests {
     fn the_smallest_scene_has_a_sensible_rest() {
         let scene = parse("[[objects]]\nmesh = \"a.obj\"\n").unwrap();
         assert_eq!(scene.objects[0].mesh, Path::new("dir/a.obj"));
-        assert_eq!(
-            (scene.objects[0].spheres, scene.order, scene.shadows),
-            (64, 4, true)
-        );
-        assert!(scene.ground && scene.map.is_none() && scene.window.is_none());
+        assert_eq!(scene.objects[0].spheres, 64);
+        assert_eq!(scene.settings, Settings::default());
+        assert!(scene.ground && scene.map.is_none());
     }
 
     #[test]
@@ -254,7 +264,8 @@ mod tests {
         let scene = parse(&example).unwrap();
         assert_eq!(scene.objects[0].rotate, [0.0, 90.0, 0.0]);
         assert_eq!(scene.eye, Some([3.0, 2.0, 5.0]));
-        assert_eq!(scene.window, Some(8.0));
+        assert_eq!((scene.settings.order, scene.settings.window), (4, 8.0));
+        assert_eq!(scene.settings.accumulation, 6);
     }
 
     #[test]
@@ -315,6 +326,22 @@ mod tests {
                 "line 4: settings.order is 1, but it has to be a whole number from 2 to 6.",
             ),
             ("[settings]\norder = 7", "line 4: settings.order is 7"),
+            (
+                "[settings]\norder = 5\naccumulation_order = 4",
+                "line 5: settings.accumulation_order is 4, but it has to be a whole number from the order, 5, to 6.",
+            ),
+            (
+                "[settings]\naccumulation_order = 7",
+                "line 4: settings.accumulation_order is 7, but it has to be a whole number from 2 to 6.",
+            ),
+            (
+                "[settings]\naccumulation_order = \"high\"",
+                "line 4: settings.accumulation_order has to be a whole number from 2 to 6, not a string.",
+            ),
+            (
+                "[settings]\naccumulation_oder = 5",
+                "line 4: the key `accumulation_oder` is not known in [settings]; did you mean `accumulation_order`?",
+            ),
             ("[settings]\nwindow = -1", "line 4: settings.window is -1"),
             (
                 "[settings]\nshadows = 1",
@@ -343,6 +370,20 @@ mod tests {
             let message = parse(&format!("{object}{text}")).err().unwrap_or_default();
             assert!(message.contains(expected), "{text}: {message}");
         }
+    }
+
+    #[test]
+    fn settings_follow_the_order_where_they_say_nothing() {
+        let settings = |text: &str| {
+            let scene = parse(&format!(
+                "[[objects]]\nmesh = \"a.obj\"\n[settings]\n{text}\n"
+            ));
+            scene.unwrap().settings
+        };
+        assert_eq!(settings("order = 6"), Settings::default().with_order(6));
+        assert_eq!(settings("order = 2").window, 4.0);
+        let both = settings("accumulation_order = 6\norder = 3");
+        assert_eq!((both.order, both.accumulation, both.window), (3, 6, 6.0));
     }
 
     #[test]

@@ -159,10 +159,11 @@ fn a_full_scene_is_taken_at_its_word() {
     assert_eq!(
         (
             scene.settings.order,
+            scene.settings.accumulation,
             scene.settings.window,
             scene.settings.shadows
         ),
-        (5, 7.5, false)
+        (5, 6, 7.5, false)
     );
     // Turned by a quarter: one of the map's four columns, and doubled.
     let turned = load_environment(&good("ramp.exr")).unwrap();

@@ -2,16 +2,16 @@
 //!
 //! ```text
 //! receivers  |---- chunk ----|---- chunk ----|--     one task of the thread pool each
-//!            |8|8|8|8|8|8|8|8|                       one call of the kernel each
+//!            |8|8|8|8|8|8|8|8|                       one call of the kernel each (4, 8 or 16 lanes)
 //! ```
 //! Chunks and groups lie at fixed places, so the result does not depend on the number of threads. A chunk
 //! allocates nothing.
 
-use crate::lanes::{Lanes8, Lanes16};
-use crate::outline::Outline;
+use crate::lanes::{Lanes4, Lanes8, Lanes16};
+use crate::outline::{Outline, OutlineAll};
 use crate::resolve::check_length;
-use crate::{Error, Path, Width};
-use fearless_simd::Simd;
+use crate::{Error, Path};
+use fearless_simd::{Level, Simd};
 use rayon::prelude::*;
 use sh_core::{Lane, Routines};
 use sh_scene::{Light, Receiver};
@@ -19,10 +19,18 @@ use sh_scene::{Light, Receiver};
 /// Receivers a task: some hundred microseconds of work with a hundred blockers.
 const CHUNK: usize = 256;
 
+/// The lowest and the highest SH order that there are routines for.
+const MIN_ORDER: usize = 2;
+pub(crate) const MAX_ORDER: usize = 6;
+
 /// What is computed for a receiver.
 pub(crate) trait Kernel: Sync {
     /// Red, green and blue radiance reflected by albedo 1. `C` is the number of SH coefficients.
-    fn shade<L: Outline<C>, const C: usize>(&self, position: [L; 3], normal: [L; 3]) -> [L; 3]
+    fn shade<L: OutlineAll + Outline<C>, const C: usize>(
+        &self,
+        position: [L; 3],
+        normal: [L; 3],
+    ) -> [L; 3]
     where
         [L; C]: Routines<L>;
 }
@@ -73,11 +81,12 @@ macro_rules! group {
     };
 }
 
+group!(Lanes4);
 group!(Lanes8);
 group!(Lanes16);
 
-/// Calls `groups` within the instruction set of `$path`. `dispatch!` would compile all levels in all widths;
-/// on x86 these are the ones that somebody runs.
+/// Calls `groups` within the instruction set of `$path`, in lanes that fill its registers. `dispatch!` would
+/// compile every level; on x86 these are the ones that somebody runs.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 macro_rules! enter {
     ($path:expr, $receivers:expr, $radiance:expr, $kernel:expr, $k:ty, $c:literal) => {{
@@ -90,19 +99,19 @@ macro_rules! enter {
                 )
             }};
         }
-        let Path { level, width } = $path;
-        match (level.as_avx512(), level.as_avx2(), level.as_sse2(), width) {
-            (_, _, _, Width::One) | (None, None, None, _) => {
-                groups::<f32, $k, $c>((), $receivers, $radiance, $kernel)
-            }
-            (Some(avx512), _, _, Width::Sixteen) => with!(avx512, Lanes16),
-            (_, Some(avx2), _, Width::Sixteen) => with!(avx2, Lanes16),
-            (_, Some(avx2), _, Width::Eight) => with!(avx2, Lanes8),
-            (_, None, Some(sse2), _) => with!(sse2, Lanes8),
-            // AVX-512 implies AVX2.
-            (Some(_), None, None, Width::Eight) => {
-                groups::<f32, $k, $c>((), $receivers, $radiance, $kernel)
-            }
+        let level = match $path {
+            Path::Scalar => None,
+            Path::Vector(level) => Some(level),
+        };
+        // A level has those below it.
+        if let Some(avx512) = level.and_then(Level::as_avx512) {
+            with!(avx512, Lanes16)
+        } else if let Some(avx2) = level.and_then(Level::as_avx2) {
+            with!(avx2, Lanes8)
+        } else if let Some(sse2) = level.and_then(Level::as_sse2) {
+            with!(sse2, Lanes4)
+        } else {
+            groups::<f32, $k, $c>((), $receivers, $radiance, $kernel)
         }
     }};
 }
@@ -110,10 +119,10 @@ macro_rules! enter {
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 macro_rules! enter {
     ($path:expr, $receivers:expr, $radiance:expr, $kernel:expr, $k:ty, $c:literal) => {
-        match $path.width {
-            Width::One => groups::<f32, $k, $c>((), $receivers, $radiance, $kernel),
-            _ => fearless_simd::dispatch!($path.level, simd => {
-                groups::<Lanes8<_>, $k, $c>(simd, $receivers, $radiance, $kernel)
+        match $path {
+            Path::Scalar => groups::<f32, $k, $c>((), $receivers, $radiance, $kernel),
+            Path::Vector(level) => fearless_simd::dispatch!(level, simd => {
+                groups::<Lanes4<_>, $k, $c>(simd, $receivers, $radiance, $kernel)
             }),
         }
     };
@@ -136,6 +145,7 @@ pub(crate) fn drive<K: Kernel>(
     kernel: &K,
 ) -> Result<(), Error> {
     check_length("radiance", receivers.len(), radiance.len())?;
+    check_light(light)?;
     let run: fn(Path, &[Receiver], &mut [[f32; 3]], &K) = match light.order {
         2 => chunk_of!(K, 4),
         3 => chunk_of!(K, 9),
@@ -144,13 +154,6 @@ pub(crate) fn drive<K: Kernel>(
         6 => chunk_of!(K, 36),
         order => return Err(Error::Order { order }),
     };
-    let found = light.coefficients.len();
-    if found != light.order * light.order {
-        return Err(Error::Coefficients {
-            order: light.order,
-            found,
-        });
-    }
     receivers
         .par_chunks(CHUNK)
         .zip(radiance.par_chunks_mut(CHUNK))
@@ -158,10 +161,22 @@ pub(crate) fn drive<K: Kernel>(
     Ok(())
 }
 
+/// Whether a light is of an order that there is, and whole.
+pub(crate) fn check_light(light: &Light) -> Result<(), Error> {
+    let (order, found) = (light.order, light.coefficients.len());
+    if !(MIN_ORDER..=MAX_ORDER).contains(&order) {
+        return Err(Error::Order { order });
+    }
+    if found != order * order {
+        return Err(Error::Coefficients { order, found });
+    }
+    Ok(())
+}
+
 /// One chunk, group by group. A lane whose receiver is not covered, or missing at the end, repeats the
 /// group's first covered one, so that it neither adds work nor brings in numbers that mean nothing.
 #[inline(always)]
-fn groups<G: Group + Outline<C>, K: Kernel, const C: usize>(
+fn groups<G: Group + OutlineAll + Outline<C>, K: Kernel, const C: usize>(
     token: G::Token,
     receivers: &[Receiver],
     radiance: &mut [[f32; 3]],

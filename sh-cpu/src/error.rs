@@ -10,6 +10,16 @@ pub enum Error {
         /// The order asked for.
         order: usize,
     },
+    /// An order of accumulation that there is not for a light.
+    #[error(
+        "logarithms of visibility for light of order {order} cannot be accumulated at order {accumulation}: orders {order} to 6 can"
+    )]
+    Accumulation {
+        /// The light's order.
+        order: usize,
+        /// The order of accumulation asked for.
+        accumulation: usize,
+    },
     /// A light whose vector does not fit its order.
     #[error("a light of order {order} has {} coefficients, not {found}", order * order)]
     Coefficients {

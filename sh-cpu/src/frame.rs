@@ -80,7 +80,11 @@ pub fn render(
                     radiance.resize(samples.receivers.len(), [0.0; 3]);
                 }
                 PassKind::Irradiance => irradiance(&samples.receivers, &light, &mut radiance)?,
-                PassKind::Shadow => shadow(&samples.receivers, &spheres, &light, &mut radiance)?,
+                PassKind::Shadow => {
+                    let accumulation = settings.accumulation;
+                    let receivers = &samples.receivers;
+                    shadow(receivers, &spheres, &light, accumulation, &mut radiance)?;
+                }
                 PassKind::Resolve => {
                     let environment = &scene.environment;
                     resolve(

@@ -1,7 +1,7 @@
 //! The irradiance pass: environment light that nothing blocks.
 
 use crate::drive::{Kernel, drive};
-use crate::outline::Outline;
+use crate::outline::{Outline, OutlineAll};
 use crate::{Error, Path};
 use sh_core::{Lane, Routines};
 use sh_scene::{Light, Receiver};
@@ -53,7 +53,7 @@ struct Unblocked<'a> {
 
 impl Kernel for Unblocked<'_> {
     #[inline(always)]
-    fn shade<L: Outline<C>, const C: usize>(&self, _: [L; 3], normal: [L; 3]) -> [L; 3]
+    fn shade<L: OutlineAll + Outline<C>, const C: usize>(&self, _: [L; 3], normal: [L; 3]) -> [L; 3]
     where
         [L; C]: Routines<L>,
     {

@@ -5,7 +5,7 @@
 //! `#[inline(always)]`: code written against [`Lane`] turns into those instructions when, and only when,
 //! it is inlined into a function that `fearless_simd::dispatch!` has entered.
 //!
-//! Registers that a value takes:
+//! Registers that a value takes; the passes compute with those that take one:
 //!
 //! | level | [`Lanes4`] | [`Lanes8`] | [`Lanes16`] | `mul_add` |
 //! |---|---|---|---|---|
@@ -200,34 +200,4 @@ vector_lane! {
 vector_lane! {
     /// 16 numbers side by side, as [`Lanes8`].
     Lanes16, 16, f32x16, i32x16, mask32x16
-}
-
-impl<S: Simd> Lanes8<S> {
-    /// Lanes 0 to 3 and 4 to 7.
-    #[inline(always)]
-    pub fn split(self) -> (Lanes4<S>, Lanes4<S>) {
-        let (low, high) = self.0.split();
-        (Lanes4(low), Lanes4(high))
-    }
-
-    /// The opposite of [`Lanes8::split`].
-    #[inline(always)]
-    pub fn join(low: Lanes4<S>, high: Lanes4<S>) -> Self {
-        Self(low.0.combine(high.0))
-    }
-}
-
-impl<S: Simd> Lanes16<S> {
-    /// Lanes 0 to 7 and 8 to 15.
-    #[inline(always)]
-    pub fn split(self) -> (Lanes8<S>, Lanes8<S>) {
-        let (low, high) = self.0.split();
-        (Lanes8(low), Lanes8(high))
-    }
-
-    /// The opposite of [`Lanes16::split`].
-    #[inline(always)]
-    pub fn join(low: Lanes8<S>, high: Lanes8<S>) -> Self {
-        Self(low.0.combine(high.0))
-    }
 }

@@ -21,7 +21,7 @@
 //! let below = Receiver { position: [0.0; 3], covered: 1, normal: [0.0, 1.0, 0.0], object: 0 };
 //! let aside = Receiver { position: [9.0, 0.0, 0.0], ..below };
 //! let mut radiance = [[0.0; 3]; 2];
-//! sh_cpu::shadow(&[below, aside], &[blocker], &light, &mut radiance)?;
+//! sh_cpu::shadow(&[below, aside], &[blocker], &light, 4, &mut radiance)?;
 //! assert!(radiance[0][0] < 0.85 && radiance[1][0] > 0.98);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -34,17 +34,17 @@ mod geometry;
 mod irradiance;
 pub mod lanes;
 mod outline;
+mod path;
 mod resolve;
 mod shadow;
 mod texture;
-mod width;
 
 pub use error::{Error, MAX_SIDE};
 pub use frame::{Frame, render};
 pub use gbuffer::{Gbuffer, gbuffer};
 pub use geometry::{Geometry, Hit};
 pub use irradiance::{irradiance, irradiance_on};
-pub use outline::Outline;
+pub use outline::{Outline, OutlineAll};
+pub use path::{Path, levels};
 pub use resolve::resolve;
 pub use shadow::{shade, shadow, shadow_on};
-pub use width::{Path, Width, levels};

@@ -6,17 +6,21 @@
 //! 2. the logarithm of that sphere's visibility, a zonal function of its angular radius, is turned towards it
 //!    and added: f += F(θ) y(s) (equation 34).
 //!
-//! Then g = exp(f) (section 4, by [`Routines::exp_saturating`]) is the visibility of all blockers together, and a channel's radiance is the
-//! triple product of light, cosine lobe and visibility, (L, H(N), g) = L · (g * H(N)), held between 0 and the
-//! radiance without blockers.
+//! Then g = exp(f) (section 4, by [`Routines::exp_saturating`]) is the visibility of all blockers together, and
+//! a channel's radiance is the triple product of light, cosine lobe and visibility,
+//! (L, H(N), g) = L · (g * H(N)), held between 0 and the radiance without blockers.
+//!
+//! Steps 1 and 2 and the exponential may be of a higher order than the light, the order of accumulation: of
+//! the visibility that they give, the bands that the light has are more accurate than those of a sum that
+//! was cut off before the exponential, which couples all bands.
 //!
 //! Cost per receiver and sphere at order 4: about 150 operations, 2 divisions and 4 square roots, of which a
 //! sphere wholly in front needs half. A sphere behind the tangent planes of all receivers in a group of
 //! lanes costs one dot product.
 
-use crate::drive::{Kernel, drive};
+use crate::drive::{Kernel, MAX_ORDER, check_light, drive};
 use crate::irradiance::{reflected, unblocked};
-use crate::outline::Outline;
+use crate::outline::{Outline, OutlineAll};
 use crate::{Error, Path};
 use sh_core::{Lane, Routines};
 use sh_scene::{Light, Receiver, Sphere};
@@ -31,13 +35,21 @@ const BATCH: usize = 32;
 
 /// Writes the radiance that albedo 1 reflects at every receiver under `light`, shadowed by `spheres`.
 /// Receivers that are not covered get 0. Every value lies between 0 and that of [`crate::irradiance`].
+///
+/// `accumulation` is the order in which the blockers' logarithms are summed and exponentiated, from the light's
+/// order to 6; the cost of a blocker grows with its square.
+///
+/// # Errors
+/// Where an order is none that there is, or a length does not fit; nothing is written then.
 pub fn shadow(
     receivers: &[Receiver],
     spheres: &[Sphere],
     light: &Light,
+    accumulation: usize,
     radiance: &mut [[f32; 3]],
 ) -> Result<(), Error> {
-    shadow_on(Path::best(), receivers, spheres, light, radiance)
+    let path = Path::best();
+    shadow_on(path, receivers, spheres, light, accumulation, radiance)
 }
 
 /// [`shadow`] on a vector path of the caller's choice.
@@ -46,8 +58,16 @@ pub fn shadow_on(
     receivers: &[Receiver],
     spheres: &[Sphere],
     light: &Light,
+    accumulation: usize,
     radiance: &mut [[f32; 3]],
 ) -> Result<(), Error> {
+    check_light(light)?;
+    if !(light.order..=MAX_ORDER).contains(&accumulation) {
+        return Err(Error::Accumulation {
+            order: light.order,
+            accumulation,
+        });
+    }
     drive(
         path,
         receivers,
@@ -56,6 +76,7 @@ pub fn shadow_on(
         &Shadowed {
             spheres,
             light: &light.coefficients,
+            accumulation,
         },
     )
 }
@@ -63,36 +84,88 @@ pub fn shadow_on(
 struct Shadowed<'a> {
     spheres: &'a [Sphere],
     light: &'a [[f32; 3]],
+    accumulation: usize,
 }
 
 impl Kernel for Shadowed<'_> {
     #[inline(always)]
-    fn shade<L: Outline<C>, const C: usize>(&self, position: [L; 3], normal: [L; 3]) -> [L; 3]
+    fn shade<L: OutlineAll + Outline<C>, const C: usize>(
+        &self,
+        position: [L; 3],
+        normal: [L; 3],
+    ) -> [L; 3]
     where
         [L; C]: Routines<L>,
     {
-        shade::<L, C>(position, normal, self.spheres, self.light)
+        shade::<L, C>(
+            position,
+            normal,
+            self.spheres,
+            self.light,
+            self.accumulation,
+        )
     }
 }
 
-/// Radiance of albedo 1 in three channels, for one group of receivers.
+/// Radiance of albedo 1 in three channels, for one group of receivers under light of `C` coefficients;
+/// `accumulation` as in [`shadow`].
 #[inline(always)]
-pub fn shade<L: Outline<C>, const C: usize>(
+pub fn shade<L: OutlineAll + Outline<C>, const C: usize>(
     position: [L; 3],
     normal: [L; 3],
     spheres: &[Sphere],
     light: &[[f32; 3]],
+    accumulation: usize,
 ) -> [L; 3]
 where
     [L; C]: Routines<L>,
 {
     let zero = position[0].lift(0.0);
-    let log_visibility = accumulate::<L, C>(position, normal, spheres);
-    let visibility = L::exp_saturating(&log_visibility);
+    let mut visibility = [zero; C];
+    match accumulation {
+        2 => lower_bands::<L, 4>(position, normal, spheres, &mut visibility),
+        3 => lower_bands::<L, 9>(position, normal, spheres, &mut visibility),
+        4 => lower_bands::<L, 16>(position, normal, spheres, &mut visibility),
+        5 => lower_bands::<L, 25>(position, normal, spheres, &mut visibility),
+        _ => lower_bands::<L, 36>(position, normal, spheres, &mut visibility),
+    }
     let open = unblocked::<L, C>(normal, light);
-    let shadowed = reflected(&L::product_cosine(&visibility, normal), light);
-    // A sum of blockers beyond the range of the series is not a number, and fails the comparison.
+    let shadowed = reflected(
+        &<L as Outline<C>>::product_cosine(&visibility, normal),
+        light,
+    );
+    // What is not a number fails the comparison.
     each(|c| L::select(zero.lt(shadowed[c]), shadowed[c].min(open[c]), zero))
+}
+
+/// The first coefficients of the visibility that is accumulated with `A` of them.
+#[inline(always)]
+fn lower_bands<L: Outline<A>, const A: usize>(
+    position: [L; 3],
+    normal: [L; 3],
+    spheres: &[Sphere],
+    visibility: &mut [L],
+) where
+    [L; A]: Routines<L>,
+{
+    let accumulated = L::visibility(position, normal, spheres);
+    for (slot, coefficient) in visibility.iter_mut().zip(accumulated) {
+        *slot = coefficient;
+    }
+}
+
+/// The visibility past all blockers together, with `C` coefficients: what [`Outline::visibility`] computes,
+/// to be inlined there.
+#[inline(always)]
+pub(crate) fn visibility_past<L: Lane, const C: usize>(
+    position: [L; 3],
+    normal: [L; 3],
+    spheres: &[Sphere],
+) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    accumulate::<L, C>(position, normal, spheres).exp_saturating()
 }
 
 /// The sum of the blockers' log visibilities.

@@ -191,20 +191,3 @@ fn comparisons_with_nan_are_false() {
         assert_eq!(result, [2.0; 8]);
     }
 }
-
-#[test]
-fn halves_are_the_lower_and_the_upper_lanes() {
-    for level in levels() {
-        dispatch!(level, simd => {
-            let values = core::array::from_fn(|i| i as f32);
-            let x = Lanes16::from_array(simd, values);
-            let (low, high) = x.split();
-            assert_eq!(low.to_array()[..], values[..8]);
-            assert_eq!(high.to_array()[..], values[8..]);
-            assert_eq!(Lanes16::join(low, high).to_array(), values);
-            let (low, high) = low.split();
-            assert_eq!(high.to_array(), [4.0, 5.0, 6.0, 7.0]);
-            assert_eq!(Lanes8::join(low, high).to_array()[..], values[..8]);
-        });
-    }
-}

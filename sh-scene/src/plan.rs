@@ -129,7 +129,7 @@ impl Plan {
     /// The passes that `scene` needs.
     pub fn new(scene: &Scene) -> Self {
         let blockers: usize = scene.objects.iter().map(|o| o.spheres.len()).sum();
-        let order = scene.settings.order;
+        let (order, accumulation) = (scene.settings.order, scene.settings.accumulation);
         let mut passes = Vec::new();
         let mut add = |kind, reason: String| passes.push(Pass { kind, reason });
 
@@ -144,8 +144,14 @@ impl Plan {
         );
         if scene.settings.shadows && blockers > 0 {
             let spheres = counted(blockers, "blocker sphere", "blocker spheres");
-            let reason =
-                format!("Environment light of order {order} is cast into shadow by {spheres}.");
+            let accumulated = if accumulation == order {
+                String::new()
+            } else {
+                format!(", whose logarithms are accumulated in order {accumulation}")
+            };
+            let reason = format!(
+                "Environment light of order {order} is cast into shadow by {spheres}{accumulated}."
+            );
             add(PassKind::Shadow, reason);
         } else {
             let reason =
@@ -218,6 +224,7 @@ mod tests {
             },
             settings: Settings {
                 order: 4,
+                accumulation: 4,
                 shadows,
                 window: 8.0,
             },
@@ -276,5 +283,19 @@ mod tests {
             text.contains("1 object and the ground") && text.contains("1 blocker sphere."),
             "{text}"
         );
+    }
+
+    #[test]
+    fn a_higher_order_of_accumulation_is_told() {
+        let mut scene = scene(3, true);
+        assert!(!Plan::new(&scene).to_string().contains("accumulated"));
+        scene.settings.accumulation = 6;
+        let text = Plan::new(&scene).to_string();
+        assert!(
+            text.contains("order 4") && text.contains("accumulated in order 6."),
+            "{text}"
+        );
+        scene.settings.shadows = false;
+        assert!(!Plan::new(&scene).to_string().contains("accumulated"));
     }
 }

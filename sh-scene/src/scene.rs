@@ -1,6 +1,6 @@
 //! A scene, loaded and resolved: nothing in it refers to a file or needs a default any more.
 
-use crate::{Camera, EnvironmentMap, Light, LightError, Sphere};
+use crate::{Camera, EnvironmentMap, Light, LightError, Quality, Sphere};
 use glam::{Affine3A, Vec3};
 
 /// A triangle mesh in its object's own space.
@@ -81,8 +81,12 @@ pub struct Ground {
 /// What the user may set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// SH order, 2 to 6.
+    /// SH order of the light and of its shadows, 2 to 6. The cost of shading a receiver grows with its fourth
+    /// power.
     pub order: usize,
+    /// SH order in which the logarithms of blockers' visibility are summed and exponentiated, from `order` to
+    /// 6. A higher one makes the shadows truer; the cost of a blocker grows with its square.
+    pub accumulation: usize,
     /// Whether blockers cast shadows.
     pub shadows: bool,
     /// Window width h of the light's SH vector; 2·order where nothing is said.
@@ -105,28 +109,45 @@ pub struct Scene {
 }
 
 impl Default for Settings {
-    /// Order 4 with shadows, windowed over twice the order as Ren et al. 2006 (section 7) advise.
+    /// Balanced quality with shadows, windowed over twice the order as Ren et al. 2006 (section 7) advise.
     fn default() -> Self {
+        let quality = Quality::default();
         Self {
-            order: 4,
+            order: quality.order(),
+            accumulation: quality.accumulation(),
             shadows: true,
-            window: 8.0,
+            window: 2.0 * quality.order() as f32,
         }
     }
 }
 
 impl Settings {
-    /// These settings with another order; the window keeps its width relative to it.
+    /// These settings with another order. The window keeps its width relative to it; an order of accumulation
+    /// that was the same stays the same, and one above it stays where it is unless the order passes it.
     ///
     /// ```
     /// let settings = sh_scene::Settings::default().with_order(6);
-    /// assert_eq!((settings.order, settings.window), (6, 12.0));
+    /// assert_eq!((settings.order, settings.accumulation, settings.window), (6, 6, 12.0));
     /// ```
     pub fn with_order(self, order: usize) -> Self {
+        let accumulation = if self.accumulation == self.order {
+            order
+        } else {
+            self.accumulation.max(order)
+        };
         Self {
             order,
+            accumulation,
             window: self.window * order as f32 / self.order as f32,
             ..self
+        }
+    }
+
+    /// These settings with the orders of a quality; the window keeps its width relative to the order.
+    pub fn with_quality(self, quality: Quality) -> Self {
+        Self {
+            accumulation: quality.accumulation(),
+            ..self.with_order(quality.order())
         }
     }
 }
@@ -162,5 +183,64 @@ impl Scene {
             }));
         }
         spheres
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn settings(order: usize, accumulation: usize) -> Settings {
+        Settings {
+            order,
+            accumulation,
+            shadows: true,
+            window: 3.0 * order as f32,
+        }
+    }
+
+    #[test]
+    fn accumulation_is_never_below_the_order() {
+        for order in 2..=6 {
+            for accumulation in order..=6 {
+                for other in 2..=6 {
+                    let changed = settings(order, accumulation).with_order(other);
+                    assert_eq!((changed.order, changed.window), (other, 3.0 * other as f32));
+                    let expected = if accumulation == order {
+                        other
+                    } else {
+                        accumulation.max(other)
+                    };
+                    assert_eq!(
+                        changed.accumulation, expected,
+                        "{order}, {accumulation} to {other}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_quality_sets_both_orders_whatever_they_were() {
+        for quality in Quality::ALL {
+            let (order, accumulation) = (quality.order(), quality.accumulation());
+            assert!(2 <= order && order <= accumulation && accumulation <= 6);
+            for before in [settings(2, 6), settings(6, 6), Settings::default()] {
+                let after = before.with_quality(quality);
+                assert_eq!((after.order, after.accumulation), (order, accumulation));
+                let relative = before.window / before.order as f32;
+                assert_eq!(after.window, relative * order as f32);
+            }
+        }
+        let default = Settings::default();
+        assert_eq!(default.with_quality(Quality::default()), default);
+    }
+
+    #[test]
+    fn a_better_quality_works_more() {
+        let work = Quality::ALL.map(|quality| (quality.accumulation(), quality.order()));
+        assert!(work.is_sorted_by(|a, b| a < b), "{work:?}");
+        let names = Quality::ALL.map(Quality::name);
+        assert_eq!(names, ["fast", "balanced", "accurate"]);
     }
 }

@@ -95,7 +95,8 @@ fn main() {
         .expect("a row");
         let receivers: Vec<Receiver> = samples.receivers.iter().step_by(2).copied().collect();
         let mut ours: Row = vec![[0.0; 3]; receivers.len()];
-        sh_cpu::shadow(&receivers, &spheres, &light, &mut ours).expect("a shadow");
+        let accumulation = settings.accumulation;
+        sh_cpu::shadow(&receivers, &spheres, &light, accumulation, &mut ours).expect("a shadow");
         for (x, receiver) in receivers.iter().enumerate() {
             let albedo = samples.albedo[2 * x];
             let truth = if receiver.covered == 0 {
@@ -127,8 +128,9 @@ fn main() {
     }
     let mean = mean / count;
     println!(
-        "order {}: RMS {:.4}, bias {:+.4} of the mean radiance",
+        "order {} accumulated in {}: RMS {:.4}, bias {:+.4} of the mean radiance",
         settings.order,
+        settings.accumulation,
         (square / count).sqrt() / mean,
         bias / count / mean
     );

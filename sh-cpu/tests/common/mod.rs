@@ -70,6 +70,7 @@ pub fn scene(objects: Vec<Object>) -> Scene {
         },
         settings: Settings {
             order: 4,
+            accumulation: 4,
             shadows: true,
             window: 8.0,
         },

@@ -116,6 +116,7 @@ pub fn standing_quad() -> Scene {
         },
         settings: Settings {
             order: 4,
+            accumulation: 4,
             shadows: true,
             window: 8.0,
         },

@@ -1,0 +1,51 @@
+//! Which vector path a pass takes.
+
+use fearless_simd::Level;
+
+/// How many receivers are computed side by side, and with which instructions.
+///
+/// [`Path::best`] is what the passes take by themselves; any other choice is for tests and benchmarks.
+/// Results of different paths agree within rounding and are not the same bits.
+#[derive(Clone, Copy, Debug)]
+pub enum Path {
+    /// One: plain `f32`, compiled for the build's baseline processor.
+    Scalar,
+    /// As many as a register of this level holds; the processor is known to have its instructions.
+    ///
+    /// On x86 a pass is compiled for SSE2 ([`crate::lanes::Lanes4`]), AVX2 ([`crate::lanes::Lanes8`]) and
+    /// AVX-512 ([`crate::lanes::Lanes16`]), and a level between two of them runs as the lower. Elsewhere
+    /// registers hold four.
+    Vector(Level),
+}
+
+impl Path {
+    /// The fastest path on this processor.
+    pub fn best() -> Self {
+        Self::Vector(Level::new())
+    }
+
+    /// Every path this processor offers, from the plainest on.
+    pub fn all() -> Vec<Self> {
+        let vectors = levels().into_iter().map(Self::Vector);
+        std::iter::once(Self::Scalar).chain(vectors).collect()
+    }
+}
+
+/// Every level this processor offers, from the plainest on.
+pub fn levels() -> Vec<Level> {
+    let best = Level::new();
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    {
+        let lower = [
+            best.as_sse2().map(Level::Sse2),
+            best.as_sse4_2().map(Level::Sse4_2),
+            best.as_avx2().map(Level::Avx2),
+            best.as_avx512().map(Level::Avx512),
+        ];
+        let found: Vec<Level> = lower.into_iter().flatten().collect();
+        if !found.is_empty() {
+            return found;
+        }
+    }
+    vec![best]
+}

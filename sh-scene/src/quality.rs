@@ -1,0 +1,49 @@
+//! Named choices between a fast picture and an accurate one.
+
+/// How much work the light of a picture gets: the SH orders of [`crate::Settings`] under one name. ACCURACY.md
+/// has the error and the cost of each.
+///
+/// ```
+/// use sh_scene::{Quality, Settings};
+/// let settings = Settings::default().with_quality(Quality::Accurate);
+/// assert!(settings.accumulation > Settings::default().accumulation);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Quality {
+    /// The softest light at the least cost; see ACCURACY.md.
+    Fast,
+    /// The middle, and what is taken where nothing is said; see ACCURACY.md.
+    #[default]
+    Balanced,
+    /// As `Balanced`, with truer shadows at a higher cost per blocker; see ACCURACY.md.
+    Accurate,
+}
+
+impl Quality {
+    /// All of them, from the fastest on.
+    pub const ALL: [Self; 3] = [Self::Fast, Self::Balanced, Self::Accurate];
+
+    /// The table: name, order of the light, order of accumulation.
+    const fn row(self) -> (&'static str, usize, usize) {
+        match self {
+            Self::Fast => ("fast", 3, 3),
+            Self::Balanced => ("balanced", 4, 4),
+            Self::Accurate => ("accurate", 4, 6),
+        }
+    }
+
+    /// The name that files and messages use.
+    pub const fn name(self) -> &'static str {
+        self.row().0
+    }
+
+    /// The SH order of the light.
+    pub const fn order(self) -> usize {
+        self.row().1
+    }
+
+    /// The SH order in which blockers' logarithms are accumulated.
+    pub const fn accumulation(self) -> usize {
+        self.row().2
+    }
+}
