@@ -1,5 +1,6 @@
 //! The program as a person meets it: arguments in, text and files out.
 
+mod corpus;
 mod eval;
 mod misuse;
 mod render;
