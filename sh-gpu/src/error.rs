@@ -7,6 +7,17 @@ pub enum Error {
     /// There are no kernels for this order.
     #[error("SH order {0} is not supported: orders 2 to 6 are")]
     Order(usize),
+    /// There is no kernel that accumulates in this order for light of that one.
+    #[error(
+        "logarithms of visibility for light of order {order} cannot be accumulated at order {accumulation}: orders \
+         {order} to 6 can"
+    )]
+    Accumulation {
+        /// The order of the light.
+        order: usize,
+        /// The order of accumulation asked for.
+        accumulation: usize,
+    },
     /// The light has another order than the pass, or its coefficients do not fit its order.
     #[error(
         "the light has order {order} and {coefficients} coefficients, but the pass was made for order {expected}, \

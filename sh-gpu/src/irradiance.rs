@@ -2,6 +2,7 @@
 //! equation 9).
 
 use crate::lighting::Shading;
+use crate::pipeline::shader;
 use crate::{Bound, Error};
 use sh_kernels::Pass;
 use sh_scene::Light;
@@ -15,7 +16,8 @@ pub struct IrradiancePass(Shading);
 impl IrradiancePass {
     /// Makes the pipeline for an SH order, 2 to 6.
     pub fn new(device: &Device, order: usize) -> Result<Self, Error> {
-        Shading::new(device, Pass::Irradiance, order, None).map(Self)
+        let module = shader(device, Pass::Irradiance, order)?;
+        Shading::new(device, Pass::Irradiance, &module, order, None).map(Self)
     }
 
     /// Binds receivers ([`sh_scene::Receiver`], 32 bytes each, read) and radiance (red, green, blue, 0 as

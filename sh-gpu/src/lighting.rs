@@ -1,14 +1,14 @@
 //! Light and blockers on their way to the GPU, for the passes that shade receivers.
 
 use crate::Error;
-use crate::pipeline::{Bound, Kernel, Slot, buffer_entry, shader};
+use crate::pipeline::{Bound, Kernel, Slot, buffer_entry};
 use crate::records::Lighting;
 use bytemuck::Zeroable;
 use sh_kernels::Pass;
 use sh_scene::{Light, Receiver, Sphere};
 use wgpu::{
     BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferBindingType, BufferUsages,
-    CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
+    CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderModule, ShaderStages,
 };
 
 /// A pass that turns receivers into radiance: a kernel, the lighting record and room for blockers.
@@ -26,6 +26,7 @@ impl Shading {
     pub fn new(
         device: &Device,
         pass: Pass,
+        module: &ShaderModule,
         order: usize,
         capacity: Option<u32>,
     ) -> Result<Self, Error> {
@@ -42,7 +43,6 @@ impl Shading {
             max_binding,
         )?;
         Error::within("room for blockers", size, "max_buffer_size", max_buffer)?;
-        let module = shader(device, pass, order)?;
         let compute = ShaderStages::COMPUTE;
         let read = BufferBindingType::Storage { read_only: true };
         let write = BufferBindingType::Storage { read_only: false };
@@ -59,7 +59,7 @@ impl Shading {
         } else {
             &own[..1]
         };
-        let kernel = Kernel::new(device, &module, pass.name(), [own, &host]);
+        let kernel = Kernel::new(device, module, pass.name(), [own, &host]);
         let buffer = |label: &str, size: u64, usage: BufferUsages| {
             device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(&format!("{} {label}", kernel.label)),

@@ -45,9 +45,15 @@ pub(crate) fn texture_entry(
     }
 }
 
-/// The shader module of a pass.
+/// The shader module of a pass that knows one order.
 pub(crate) fn shader(device: &Device, pass: Pass, order: usize) -> Result<ShaderModule, Error> {
     let source = sh_kernels::source(pass, order).ok_or(Error::Order(order))?;
+    let label = format!("gaunt {} order {order}", pass.name());
+    module(device, &label, source)
+}
+
+/// A shader module with one of the kernels' texts.
+pub(crate) fn module(device: &Device, label: &str, source: &str) -> Result<ShaderModule, Error> {
     let limits = device.limits();
     let (needed, available) = (4, limits.max_storage_buffers_per_shader_stage.into());
     Error::within(
@@ -65,7 +71,7 @@ pub(crate) fn shader(device: &Device, pass: Pass, order: usize) -> Result<Shader
         available,
     )?;
     Ok(device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(&format!("gaunt {} order {order}", pass.name())),
+        label: Some(label),
         source: wgpu::ShaderSource::Wgsl(source.into()),
     }))
 }

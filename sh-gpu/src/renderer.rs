@@ -119,6 +119,7 @@ impl Renderer {
                         device,
                         ShadowOptions {
                             order,
+                            accumulation: scene.settings.accumulation,
                             max_blockers,
                         },
                     )?;

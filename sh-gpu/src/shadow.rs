@@ -2,6 +2,7 @@
 //! (Ren et al. 2006, section 8).
 
 use crate::lighting::Shading;
+use crate::pipeline::module;
 use crate::{Bound, Error};
 use sh_kernels::Pass;
 use sh_scene::{Light, Sphere};
@@ -10,8 +11,11 @@ use wgpu::{BufferBinding, CommandEncoder, ComputePassTimestampWrites, Device, Qu
 /// How a [`ShadowPass`] is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ShadowOptions {
-    /// SH order, 2 to 6. Cost grows with its fourth power.
+    /// SH order of the light, 2 to 6. The cost of a receiver grows with its fourth power.
     pub order: usize,
+    /// SH order in which the blockers' logarithms are summed and exponentiated, from `order` to 6. Above `order`
+    /// the shadows are truer; the cost of a blocker grows with its square.
+    pub accumulation: usize,
     /// The most blocker spheres [`ShadowPass::prepare`] will take; 16 bytes each are set aside.
     pub max_blockers: u32,
 }
@@ -20,6 +24,7 @@ impl Default for ShadowOptions {
     fn default() -> Self {
         Self {
             order: 4,
+            accumulation: 4,
             max_blockers: 4096,
         }
     }
@@ -35,7 +40,8 @@ impl Default for ShadowOptions {
 /// # use sh_gpu::{Error, ShadowOptions, ShadowPass};
 /// # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, receivers: &wgpu::Buffer, radiance: &wgpu::Buffer,
 /// #     spheres: &[sh_scene::Sphere], light: &sh_scene::Light) -> Result<(), Error> {
-/// let shadow = ShadowPass::new(device, ShadowOptions { order: 4, max_blockers: 1000 })?;
+/// let options = ShadowOptions { max_blockers: 1000, ..ShadowOptions::default() };
+/// let shadow = ShadowPass::new(device, options)?;
 /// let bound = shadow.bind(device, receivers.as_entire_buffer_binding(), radiance.as_entire_buffer_binding())?;
 /// // every frame
 /// shadow.prepare(queue, spheres, light)?;
@@ -50,13 +56,21 @@ pub struct ShadowPass(Shading);
 impl ShadowPass {
     /// Makes the pipeline and sets room aside for blockers and light.
     pub fn new(device: &Device, options: ShadowOptions) -> Result<Self, Error> {
-        Shading::new(
-            device,
-            Pass::Shadow,
-            options.order,
-            Some(options.max_blockers),
-        )
-        .map(Self)
+        let ShadowOptions {
+            order,
+            accumulation,
+            max_blockers,
+        } = options;
+        let text = match sh_kernels::source(Pass::Shadow, order) {
+            Some(_) => sh_kernels::shadow(order, accumulation).ok_or(Error::Accumulation {
+                order,
+                accumulation,
+            })?,
+            None => return Err(Error::Order(order)),
+        };
+        let label = format!("gaunt shadow order {order}, accumulated in {accumulation}");
+        let module = module(device, &label, text)?;
+        Shading::new(device, Pass::Shadow, &module, order, Some(max_blockers)).map(Self)
     }
 
     /// Binds receivers ([`sh_scene::Receiver`], 32 bytes each, read) and radiance (red, green, blue, 0 as

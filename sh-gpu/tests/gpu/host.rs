@@ -29,6 +29,7 @@ pub fn offsets_and_sizes_are_respected(gpu: &Gpu) {
     let (input, output) = (gpu.buffer(&receivers), gpu.buffer(&[[-1.0_f32; 4]; 200]));
     let options = ShadowOptions {
         order: 3,
+        accumulation: 3,
         max_blockers: 100,
     };
     let pass = ShadowPass::new(&gpu.device, options).unwrap();
@@ -95,23 +96,38 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
         says(IrradiancePass::new(device, order), "orders 2 to 6");
     }
     let huge = ShadowOptions {
-        order: 4,
         max_blockers: u32::MAX,
+        ..ShadowOptions::default()
     };
     says(
         ShadowPass::new(device, huge),
         "max_storage_buffer_binding_size",
     );
 
-    let mut numbers = Numbers(2);
-    let pass = ShadowPass::new(
-        device,
-        ShadowOptions {
+    for accumulation in [0, 3, 7] {
+        let options = ShadowOptions {
             order: 4,
+            accumulation,
             max_blockers: 3,
-        },
-    )
-    .unwrap();
+        };
+        let sentence =
+            format!("order 4 cannot be accumulated at order {accumulation}: orders 4 to 6 can");
+        says(ShadowPass::new(device, options), &sentence);
+    }
+    let beyond = ShadowOptions {
+        order: 7,
+        accumulation: 7,
+        max_blockers: 3,
+    };
+    says(ShadowPass::new(device, beyond), "orders 2 to 6");
+
+    let mut numbers = Numbers(2);
+    let few = ShadowOptions {
+        order: 4,
+        accumulation: 4,
+        max_blockers: 3,
+    };
+    let pass = ShadowPass::new(device, few).unwrap();
     says(
         pass.prepare(&gpu.queue, &numbers.spheres(4), &numbers.light(4)),
         "4 blocker spheres do not fit the 3",

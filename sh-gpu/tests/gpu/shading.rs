@@ -9,14 +9,26 @@ use sh_scene::{Light, Receiver, Sphere};
 /// Largest distance from the truth that rounding may make, of a radiance of about 1.
 const ROUNDING: f64 = 2e-5;
 
+/// The shadow pass, accumulating in the light's own order.
 pub fn shadow(
     gpu: &Gpu,
     receivers: &[Receiver],
     spheres: &[Sphere],
     light: &Light,
 ) -> Vec<[f32; 4]> {
+    accumulated(gpu, receivers, spheres, light, light.order)
+}
+
+fn accumulated(
+    gpu: &Gpu,
+    receivers: &[Receiver],
+    spheres: &[Sphere],
+    light: &Light,
+    accumulation: usize,
+) -> Vec<[f32; 4]> {
     let options = ShadowOptions {
         order: light.order,
+        accumulation,
         max_blockers: spheres.len() as u32,
     };
     let pass = ShadowPass::new(&gpu.device, options).unwrap();
@@ -50,15 +62,27 @@ fn compare(what: &str, found: &[[f32; 4]], expected: impl Fn(usize) -> [f64; 3])
     }
 }
 
+/// The truth at an order and an order of accumulation.
+type Truth = fn(&Receiver, &[Sphere], &Light) -> [f64; 3];
+
 pub fn shadow_is_that_of_f64(gpu: &Gpu) {
-    for order in 2..=6 {
+    let orders: [(usize, usize, Truth); 7] = [
+        (2, 2, truth::shadow::<4, 4>),
+        (3, 3, truth::shadow::<9, 9>),
+        (4, 4, truth::shadow::<16, 16>),
+        (5, 5, truth::shadow::<25, 25>),
+        (6, 6, truth::shadow::<36, 36>),
+        (3, 5, truth::shadow::<9, 25>),
+        (4, 6, truth::shadow::<16, 36>),
+    ];
+    for (order, accumulation, truth) in orders {
         // No blocker, part of a tile, whole tiles, one more.
         for count in [0, 7, 128, 193] {
             let mut numbers = Numbers(order as u64 * 1000 + count as u64);
             let receivers = numbers.receivers(300);
             let (spheres, light) = (numbers.spheres(count), numbers.light(order));
-            let found = shadow(gpu, &receivers, &spheres, &light);
-            let open = shadow(gpu, &receivers, &[], &light);
+            let found = accumulated(gpu, &receivers, &spheres, &light, accumulation);
+            let open = accumulated(gpu, &receivers, &[], &light, accumulation);
             let darkened = found
                 .iter()
                 .zip(&open)
@@ -68,16 +92,10 @@ pub fn shadow_is_that_of_f64(gpu: &Gpu) {
                 count == 0 || darkened > 50,
                 "{darkened} of 300 receivers are in shadow"
             );
-            compare(&format!("order {order}, {count} blockers"), &found, |i| {
-                let receiver = &receivers[i];
-                match (receiver.covered, order) {
-                    (0, _) => [0.0; 3],
-                    (_, 2) => truth::shadow::<4>(receiver, &spheres, &light),
-                    (_, 3) => truth::shadow::<9>(receiver, &spheres, &light),
-                    (_, 4) => truth::shadow::<16>(receiver, &spheres, &light),
-                    (_, 5) => truth::shadow::<25>(receiver, &spheres, &light),
-                    _ => truth::shadow::<36>(receiver, &spheres, &light),
-                }
+            let what = format!("order {order} of {accumulation}, {count} blockers");
+            compare(&what, &found, |i| match receivers[i].covered {
+                0 => [0.0; 3],
+                _ => truth(&receivers[i], &spheres, &light),
             });
         }
     }
@@ -116,7 +134,7 @@ pub fn irradiance_is_that_of_f64(gpu: &Gpu) {
     }
 }
 
-/// Far beyond what the series is made for: a crowd of overlapping blockers, receivers at their centres,
+/// A crowd of overlapping blockers, receivers at their centres,
 /// blockers without size, receivers and blockers as far away as floats reach.
 pub fn crowds_of_blockers_stay_bounded(gpu: &Gpu) {
     for order in [2, 4, 6] {

@@ -1,6 +1,6 @@
 //! What the shading kernels compute, in f64: obvious rather than fast.
 
-use sh_core::{Routines, exp};
+use sh_core::Routines;
 use sh_scene::{Light, Receiver, Sphere};
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -29,23 +29,30 @@ pub fn replaced(receiver: &Receiver, sphere: &Sphere) -> Option<([f64; 3], f64)>
     ))
 }
 
-/// Radiance of albedo 1 under blockers.
-pub fn shadow<const C: usize>(receiver: &Receiver, spheres: &[Sphere], light: &Light) -> [f64; 3]
+/// Radiance of albedo 1 under blockers, whose logarithms are accumulated with `A` coefficients.
+pub fn shadow<const C: usize, const A: usize>(
+    receiver: &Receiver,
+    spheres: &[Sphere],
+    light: &Light,
+) -> [f64; 3]
 where
     [f64; C]: Routines<f64>,
+    [f64; A]: Routines<f64>,
 {
-    let mut f = [0.0; C];
+    let mut f = [0.0; A];
     for (center, radius) in spheres.iter().filter_map(|s| replaced(receiver, s)) {
         let distance = dot(center, center).sqrt();
         if radius > 0.0 && distance > 0.0 {
             let sine = (radius / distance).min(1.0);
-            let log = <[f64; C]>::cap_log(sine, (1.0 - sine * sine).max(0.0).sqrt());
-            let turned = <[f64; C]>::zonal(log, center.map(|x| x / distance));
+            let cosine = (1.0 - sine * sine).max(0.0).sqrt();
+            let log = <[f64; A]>::cap_log_saturating(sine, cosine);
+            let turned = <[f64; A]>::zonal(log, center.map(|x| x / distance));
             f = std::array::from_fn(|i| f[i] + turned[i]);
         }
     }
     let lobe = <[f64; C]>::cosine(receiver.normal.map(f64::from));
-    let shadowed = channels(&exp::ps_star(&f, 2).product(&lobe), light);
+    let visibility: [f64; C] = *f.exp_saturating().first_chunk().expect("A is at least C");
+    let shadowed = channels(&visibility.product(&lobe), light);
     let open = channels(&lobe, light);
     std::array::from_fn(|i| shadowed[i].clamp(0.0, open[i].max(0.0)))
 }
