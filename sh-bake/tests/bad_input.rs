@@ -145,6 +145,24 @@ const WRONG: &[(&str, &[&str])] = &[
 /// Scenes that are wrong: the file that the message has to name, if not the scene, and what it has to say.
 const WRONG_SCENES: &[(&str, &str, &[&str])] = &[
     (
+        "accumulation_below_order.toml",
+        "",
+        &[
+            "line 6",
+            "settings.accumulation_order is 4",
+            "from the order, 5, to 6",
+        ],
+    ),
+    (
+        "accumulation_not_whole.toml",
+        "",
+        &[
+            "line 5",
+            "settings.accumulation_order is 4.5",
+            "whole number",
+        ],
+    ),
+    (
         "albedo_above_one.toml",
         "",
         &["line 3", "objects.albedo has 1.5 in it", "from 0 to 1"],
