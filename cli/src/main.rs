@@ -1,7 +1,7 @@
 //! The program: arguments and dispatch.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use gaunt::render::{Backend, Options};
+use gaunt::render::{Backend, Options, Overrides};
 use gaunt::{Error, eval, fit, ops, project, render};
 use std::io::Write;
 use std::path::PathBuf;
@@ -80,9 +80,20 @@ struct Render {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
     size: [u32; 2],
-    /// SH order, 2 to 6, instead of the scene's
+    /// Both SH orders under one name, instead of the scene's; ACCURACY.md tells what each gives and costs
+    #[arg(long, value_enum)]
+    quality: Option<Quality>,
+    /// SH order of the light, 2 to 6, instead of the scene's or the quality's
+    ///
+    /// Shading a receiver costs as the fourth power of it, every blocker at least as its square. An order of
+    /// accumulation that was the same goes with it.
     #[arg(long)]
     order: Option<usize>,
+    /// SH order in which shadows are accumulated, from the light's to 6, instead of the scene's or the quality's
+    ///
+    /// Above the light's order shadows are truer, and every blocker costs as the square of it; see ACCURACY.md.
+    #[arg(long)]
+    accumulation: Option<usize>,
     /// Whether shadows are cast, instead of what the scene says
     #[arg(long, value_enum)]
     shadows: Option<Switch>,
@@ -98,6 +109,26 @@ struct Render {
 enum Switch {
     On,
     Off,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Quality {
+    /// The softest light at the least cost
+    Fast,
+    /// The middle
+    Balanced,
+    /// Truer shadows, at a higher cost for every blocker
+    Accurate,
+}
+
+impl From<Quality> for sh_scene::Quality {
+    fn from(quality: Quality) -> Self {
+        match quality {
+            Quality::Fast => Self::Fast,
+            Quality::Balanced => Self::Balanced,
+            Quality::Accurate => Self::Accurate,
+        }
+    }
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -162,8 +193,12 @@ fn run(command: Option<Command>) -> Result<(), Error> {
                 out: args.out,
                 backend: args.backend,
                 size: args.size,
-                order: args.order,
-                shadows: args.shadows.map(|switch| matches!(switch, Switch::On)),
+                settings: Overrides {
+                    quality: args.quality.map(Into::into),
+                    order: args.order,
+                    accumulation: args.accumulation,
+                    shadows: args.shadows.map(|switch| matches!(switch, Switch::On)),
+                },
                 stops: args.exposure,
                 report: args.json,
             };

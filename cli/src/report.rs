@@ -105,8 +105,10 @@ pub struct Report {
     pub device: String,
     /// Why that backend: a sentence.
     pub reason: String,
-    /// SH order.
+    /// SH order of the light.
     pub order: usize,
+    /// SH order in which the blockers' logarithms are accumulated.
+    pub accumulation: usize,
     /// The factor between radiance and the tone curve; EXR files do not have it.
     pub exposure: f32,
     /// The meshes; one that is used several times is listed once.
@@ -130,6 +132,11 @@ impl fmt::Display for Report {
             self.device
         )?;
         writeln!(f, "{}", self.reason)?;
+        write!(f, "Light of SH order {}", self.order)?;
+        if self.plan.iter().any(|planned| planned.pass == "shadow") {
+            write!(f, ", shadows accumulated in order {}", self.accumulation)?;
+        }
+        writeln!(f, ".")?;
         for warning in &self.warnings {
             writeln!(f, "Note: {warning}")?;
         }

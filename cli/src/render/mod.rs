@@ -1,6 +1,9 @@
 //! `gaunt render`: from a scene file to a picture file.
 
 mod gpu;
+mod settings;
+
+pub use settings::Overrides;
 
 use crate::Error;
 use crate::gpu::Gpu;
@@ -36,10 +39,8 @@ pub struct Options {
     pub backend: Backend,
     /// Width and height, in pixels.
     pub size: [u32; 2],
-    /// SH order, instead of the scene's.
-    pub order: Option<usize>,
-    /// Whether shadows are cast, instead of what the scene says.
-    pub shadows: Option<bool>,
+    /// Settings instead of the scene's.
+    pub settings: Overrides,
     /// Brighter or darker by powers of two.
     pub stops: f32,
     /// Where a report in JSON goes.
@@ -54,8 +55,7 @@ impl Default for Options {
             out: "gaunt.png".into(),
             backend: Backend::Auto,
             size: [1280, 720],
-            order: None,
-            shadows: None,
+            settings: Overrides::default(),
             stops: 0.0,
             report: None,
         }
@@ -138,6 +138,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
         },
         reason: choice.reason,
         order: settings.order,
+        accumulation: settings.accumulation,
         exposure,
         objects: loaded.fits.iter().map(Body::new).collect(),
         warnings: loaded.warnings,
@@ -157,20 +158,13 @@ pub fn render(options: &Options) -> Result<Report, Error> {
 
 /// The scene with what the command line says instead.
 fn load(options: &Options, progress: &Progress) -> Result<(Scene, Loaded), Error> {
-    if let Some(order) = options.order.filter(|order| !(2..=6).contains(order)) {
-        return Err(Error::Usage(format!(
-            "--order is {order}, but it has to be 2, 3, 4, 5 or 6"
-        )));
-    }
+    options.settings.check()?;
     let tell = |step: sh_bake::Progress| progress.set(step.done as f32 / step.total.max(1) as f32);
     let (mut scene, loaded) = match &options.scene {
         Some(path) => sh_bake::load_scene_with(path, &tell)?,
         None => sh_bake::default_scene(&tell),
     };
-    if let Some(order) = options.order {
-        scene.settings = scene.settings.with_order(order);
-    }
-    scene.settings.shadows = options.shadows.unwrap_or(scene.settings.shadows);
+    scene.settings = options.settings.apply(scene.settings)?;
     Ok((scene, loaded))
 }
 

@@ -47,6 +47,10 @@ fn a_scene_that_is_wrong_leaves_no_picture() {
         (format!("{good}[settings]\norder = 1\n"), "order"),
         (format!("{good}[settings]\norder = 7\n"), "order"),
         (
+            format!("{good}[settings]\naccumulation_order = 3\n"),
+            "accumulation_order",
+        ),
+        (
             format!("{good}[environment]\nmap = \"missing.hdr\"\n"),
             "missing.hdr",
         ),
@@ -131,6 +135,19 @@ fn options_that_make_no_sense_are_refused() {
     let refused: &[(&[&str], &str)] = &[
         (&["render", "-o", &out, "--order", "1"], "--order"),
         (&["render", "-o", &out, "--order", "7"], "--order"),
+        (
+            &["render", "-o", &out, "--accumulation", "7"],
+            "--accumulation is 7",
+        ),
+        (
+            &["render", "-o", &out, "--accumulation", "x"],
+            "--accumulation",
+        ),
+        (
+            &["render", "-o", &out, "--order", "5", "--accumulation", "4"],
+            "must not be below the SH order, which is 5",
+        ),
+        (&["render", "-o", &out, "--quality", "best"], "--quality"),
         (&["render", "-o", &out, "--size", "0x10"], "--size"),
         (&["render", "-o", &out, "--size", "16"], "--size"),
         (&["render", "-o", &out, "--size", "99999x2"], "--size"),

@@ -145,3 +145,53 @@ fn the_same_picture_has_the_same_bytes() {
     };
     assert_eq!(render("a.png"), render("b.png"));
 }
+
+#[test]
+fn quality_and_orders_win_over_the_scene() {
+    let folder = Folder::new("quality");
+    folder.put("cube.obj", CUBE);
+    let scene = folder.put(
+        "scene.toml",
+        "[[objects]]\nmesh = \"cube.obj\"\nspheres = 16\n[settings]\norder = 2\naccumulation_order = 3\n",
+    );
+    let (out, report) = (folder.file("picture.exr"), folder.file("report.json"));
+    // Arguments, and the orders of light and accumulation that have to come of them.
+    let cases: [(&[&str], [usize; 2]); 5] = [
+        (&[], [2, 3]),
+        (&["--order", "3"], [3, 3]),
+        (&["--accumulation", "5"], [2, 5]),
+        (&["--quality", "accurate", "--order", "5"], [5, 6]),
+        (&["--quality", "fast", "--accumulation", "4"], [3, 4]),
+    ];
+    let mut pictures = Vec::new();
+    for (arguments, [order, accumulation]) in cases {
+        let rest = [
+            "render",
+            &scene,
+            "-o",
+            &out,
+            "--size",
+            "24x16",
+            "--backend",
+            "cpu",
+            "--json",
+            &report,
+        ];
+        let text = success(&[&rest[..], arguments].concat());
+        let sentence =
+            format!("Light of SH order {order}, shadows accumulated in order {accumulation}.");
+        assert!(text.contains(&sentence), "{arguments:?}: {text}");
+        assert_eq!(
+            text.contains(&format!("are accumulated in order {accumulation}.")),
+            order != accumulation,
+            "{arguments:?}: {text}"
+        );
+        let report: Value = serde_json::from_slice(&std::fs::read(&report).unwrap()).expect("JSON");
+        assert_eq!(
+            (&report["order"], &report["accumulation"]),
+            (&order.into(), &accumulation.into())
+        );
+        pictures.push(radiance(&out));
+    }
+    assert_ne!(pictures[0], pictures[2], "accumulation changes the shadow");
+}
