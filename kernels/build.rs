@@ -19,22 +19,31 @@ fn main() {
     }
     println!("cargo::rerun-if-changed=shared");
     println!("cargo::rerun-if-changed=src/link.rs");
-    let libraries: Vec<String> = ORDERS.map(sh_codegen::wgsl::library).collect();
-    let library = |order: usize| libraries[order - ORDERS.start()].as_str();
+    let fail = |error: link::LinkError| -> ! {
+        println!("cargo::error=kernels/{error}");
+        std::process::exit(1);
+    };
+    let libraries: Vec<link::Library> = ORDERS
+        .map(|order| {
+            let text = sh_codegen::wgsl::library(order);
+            link::Library::new(&text).unwrap_or_else(|error| fail(error))
+        })
+        .collect();
     let link = |module: &str, order: usize, accumulation: usize| {
-        let read = |name: &str| match name {
-            "library" if order == accumulation => Some(library(order).to_string()),
-            "library" => Some(library(order).to_string() + library(accumulation)),
-            _ => fs::read_to_string(root.join(format!("{name}.wgsl"))).ok(),
-        };
         let choice = link::Choice {
             order,
             accumulation,
         };
-        link::link(module, choice, &read).unwrap_or_else(|error| {
-            println!("cargo::error=kernels/{error}");
-            std::process::exit(1);
-        })
+        let [low, high] = [order, accumulation].map(|order| &libraries[order - ORDERS.start()]);
+        let modules = link::Modules {
+            read: &|name| fs::read_to_string(root.join(format!("{name}.wgsl"))).ok(),
+            libraries: if order == accumulation {
+                &[low]
+            } else {
+                &[low, high]
+            },
+        };
+        link::link(module, choice, modules).unwrap_or_else(|error| fail(error))
     };
     // What `source` and its like look a text up in: a pass and its orders.
     let mut arms = String::new();

@@ -7,9 +7,12 @@
 //! | `gaunt project` | [`project`] |
 //! | `gaunt ops` | [`ops`] |
 //! | `gaunt fit` | [`fit`] |
+//! | `gaunt accuracy` | [`accuracy`], on the exponentials of [`exponential`] |
 
+pub mod accuracy;
 mod error;
 pub mod eval;
+pub mod exponential;
 pub mod fit;
 pub mod gpu;
 pub mod image;

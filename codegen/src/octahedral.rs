@@ -140,7 +140,7 @@ pub fn points(count: usize) -> Vec<([f64; 3], f64)> {
     let mut out = Vec::new();
     for Octant { point, weight } in octants(count) {
         for signs in 0..8_usize {
-            let flip = |axis: usize| signs >> axis & 1 == 1;
+            let flip = |axis: usize| (signs >> axis) & 1 == 1;
             if (0..3).any(|axis| flip(axis) && point[axis] == 0.0) {
                 continue;
             }
@@ -163,7 +163,7 @@ fn parity(index: usize) -> usize {
     let k = m.unsigned_abs() as usize;
     // Re (x + iy)^k is even in y, Im odd; the rest of the k factors are x.
     let y = usize::from(m < 0);
-    (k + y) % 2 | y << 1 | (l + k) % 2 << 2
+    ((k + y) % 2) | (y << 1) | (((l + k) % 2) << 2)
 }
 
 /// f ↦ Σ_q w_q h(f(s_q)) y(s_q), band l times `gains[l]`: to the samples of a rule, a function of each, and back.
@@ -184,7 +184,7 @@ pub fn pointwise(
         // A function that is odd in a coordinate that is 0 vanishes; the others' class has a bit for each
         // coordinate that is not.
         let class = |i: usize| {
-            let bit = |(slot, axis): (usize, &usize)| (parity(i) >> axis & 1) << slot;
+            let bit = |(slot, axis): (usize, &usize)| ((parity(i) >> axis) & 1) << slot;
             axes.iter().enumerate().map(bit).sum::<usize>()
         };
         let y: Vec<f64> = basis
@@ -192,7 +192,8 @@ pub fn pointwise(
             .into_iter()
             .enumerate()
             .map(|(i, y)| {
-                let vanishes = (0..3).any(|axis| point[axis] == 0.0 && parity(i) >> axis & 1 == 1);
+                let vanishes =
+                    (0..3).any(|axis| point[axis] == 0.0 && (parity(i) >> axis) & 1 == 1);
                 if vanishes || y.abs() < 1e-14 { 0.0 } else { y }
             })
             .collect();

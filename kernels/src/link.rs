@@ -37,6 +37,7 @@ impl fmt::Display for LinkError {
 impl std::error::Error for LinkError {}
 
 /// A declaration at the top level of a module.
+#[derive(Clone)]
 struct Item {
     text: String,
     name: String,
@@ -53,13 +54,45 @@ pub struct Choice {
     pub accumulation: usize,
 }
 
-/// Links the module `root`: what its entry points reach, or all of it where it has none. `read` gives a
-/// module's text by its import name, if there is such a module.
-pub fn link(
-    root: &str,
-    choice: Choice,
-    read: &dyn Fn(&str) -> Option<String>,
-) -> Result<String, LinkError> {
+/// A generated library, taken apart once for all that import it.
+pub struct Library(Vec<Item>);
+
+impl Library {
+    /// From its text, which holds neither imports nor placeholders.
+    pub fn new(text: &str) -> Result<Self, LinkError> {
+        let mut items = Vec::new();
+        let choice = Choice {
+            order: 0,
+            accumulation: 0,
+        };
+        let nothing = |_: &str| None;
+        gather(
+            "library",
+            text,
+            choice,
+            &Modules {
+                read: &nothing,
+                libraries: &[],
+            },
+            &mut HashSet::new(),
+            &mut items,
+        )?;
+        Ok(Self(items))
+    }
+}
+
+/// What can be imported.
+#[derive(Clone, Copy)]
+pub struct Modules<'a> {
+    /// A module's text by its import name, if there is such a module.
+    pub read: &'a dyn Fn(&str) -> Option<String>,
+    /// What `library` stands for: one library or several.
+    pub libraries: &'a [&'a Library],
+}
+
+/// Links the module `root`: what its entry points reach, or all of it where it has none.
+pub fn link(root: &str, choice: Choice, modules: Modules<'_>) -> Result<String, LinkError> {
+    let read = modules.read;
     let mut items = Vec::new();
     let mut seen = HashSet::from([root.to_string()]);
     let text = read(root).ok_or_else(|| LinkError {
@@ -67,7 +100,7 @@ pub fn link(
         line: 1,
         message: "there is no such module".into(),
     })?;
-    gather(root, &text, choice, read, &mut seen, &mut items)?;
+    gather(root, &text, choice, &modules, &mut seen, &mut items)?;
     let library = !items.iter().any(|i| i.entry);
     let mut reached = HashSet::new();
     let mut open: Vec<&Item> = items.iter().filter(|i| i.entry || library).collect();
@@ -85,7 +118,7 @@ fn gather(
     module: &str,
     text: &str,
     choice: Choice,
-    read: &dyn Fn(&str) -> Option<String>,
+    modules: &Modules<'_>,
     seen: &mut HashSet<String>,
     items: &mut Vec<Item>,
 ) -> Result<(), LinkError> {
@@ -100,20 +133,26 @@ fn gather(
         if let Some(import) = line.strip_prefix("#import") {
             let import = import.trim();
             if seen.insert(import.to_string()) {
-                let text = read(import).ok_or_else(|| {
+                if import == "library" {
+                    let each = modules.libraries.iter().flat_map(|library| &library.0);
+                    items.extend(each.cloned());
+                    continue;
+                }
+                let text = (modules.read)(import).ok_or_else(|| {
                     error(format!(
                         "imports `{import}`, but there is no {import}.wgsl; a module is named by its path \
                          without the ending, or `library` for the generated routines"
                     ))
                 })?;
-                gather(import, &text, choice, read, seen, items)?;
+                gather(import, &text, choice, modules, seen, items)?;
             }
             continue;
         }
-        let line = specialise(line, choice).map_err(error)?;
-        let blank = line.trim().is_empty();
-        let bare = strip_comment(&item).trim().is_empty();
-        if blank && bare {
+        let line = match line.contains('$') {
+            true => specialise(line, choice).map_err(error)?,
+            false => line.to_string(),
+        };
+        if line.trim().is_empty() && strip_comment(&item).trim().is_empty() {
             // A comment that stands alone belongs to the module, not to the item after it.
             item.clear();
             continue;

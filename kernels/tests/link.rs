@@ -3,7 +3,7 @@
 #[path = "../src/link.rs"]
 mod link;
 
-use link::{Choice, LinkError, link};
+use link::{Choice, Library, LinkError, Modules};
 
 fn files(list: &[(&str, &str)]) -> impl Fn(&str) -> Option<String> + use<> {
     let list: Vec<(String, String)> = list
@@ -18,6 +18,26 @@ fn of(order: usize) -> Choice {
         order,
         accumulation: 6,
     }
+}
+
+fn link(
+    root: &str,
+    choice: Choice,
+    read: &dyn Fn(&str) -> Option<String>,
+) -> Result<String, LinkError> {
+    let library = Library::new("fn helper() {\n}\n\nfn idle() {\n}\n")?;
+    let modules = Modules {
+        read,
+        libraries: &[&library],
+    };
+    link::link(root, choice, modules)
+}
+
+#[test]
+fn of_the_library_only_what_is_reached_stays() {
+    let pass = format!("#import library\nfn used() {{\n    helper();\n}}\n{MAIN}");
+    let text = link("pass", of(4), &files(&[("pass", &pass)])).unwrap();
+    assert!(text.contains("fn helper()") && !text.contains("idle"));
 }
 
 const MAIN: &str = "@compute @workgroup_size(64)\nfn main() {\n    used();\n}\n";

@@ -20,28 +20,60 @@
 //! visibility itself, although each operation is accurate. Results are finite while they are smaller than the
 //! largest float; no bound in [0, 1] is promised. For a result that is bounded whatever goes in, use
 //! [`Routines::exp_saturating`].
+//!
+//! Products and squares are hundreds to thousands of operations. The functions by plain names have them inlined
+//! wherever they are used; where that is too much code, or where a routine must be entered in an instruction set
+//! of its own, say with the functions `..._by` how they are to be called ([`Calls`]).
 
 use crate::{Lane, ROOT_FOUR_PI, Routines};
 
 /// Halvings that bring any finite norm of f32 (2^128) or f64 (2^1024) below 1/4.
 const MOST_HALVINGS: u32 = 1026;
 
-/// exp*(f) by a factored product series of degree `degree` after scaling: PS*-p of Ren et al. 2006.
-///
-/// Even and odd powers are kept apart (eq. 22), so that degree p costs about (p+1)/2 products; degree 2
-/// costs one square. Then comes one square for each halving.
-///
-/// ```
-/// use sh_core::{Sh4d, exp};
-/// let g = exp::ps_star(&(Sh4d::ONE * -0.5).0, 2);
-/// assert!((g[0] - (-0.5_f64).exp() * Sh4d::ONE[0]).abs() < 1e-15);
-/// ```
-#[inline(always)]
-pub fn ps_star<L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
+/// How [`Routines::square`] and [`Routines::product`] are called.
+pub trait Calls<L: Lane, const C: usize> {
+    /// The square of `f`.
+    fn square(f: &[L; C]) -> [L; C];
+    /// The product of `f` and `g`.
+    fn product(f: &[L; C], g: &[L; C]) -> [L; C];
+}
+
+/// Copied to the place of use: fast, and the only way that takes over a caller's instruction set.
+#[derive(Clone, Copy, Debug)]
+pub struct Inlined;
+
+impl<L: Lane, const C: usize> Calls<L, C> for Inlined
 where
     [L; C]: Routines<L>,
 {
-    scaled(f, |h, _| series(h, degree), Routines::square)
+    #[inline(always)]
+    fn square(f: &[L; C]) -> [L; C] {
+        f.square()
+    }
+
+    #[inline(always)]
+    fn product(f: &[L; C], g: &[L; C]) -> [L; C] {
+        f.product(g)
+    }
+}
+
+/// One function each for a type of number, for plain numbers: quick to compile.
+#[derive(Clone, Copy, Debug)]
+pub struct Outlined;
+
+impl<L: Lane, const C: usize> Calls<L, C> for Outlined
+where
+    [L; C]: Routines<L>,
+{
+    #[inline(never)]
+    fn square(f: &[L; C]) -> [L; C] {
+        f.square()
+    }
+
+    #[inline(never)]
+    fn product(f: &[L; C], g: &[L; C]) -> [L; C] {
+        f.product(g)
+    }
 }
 
 /// exp*(f) by the product series of degree `degree`: PS-p of Ren et al. 2006 (eq. 17).
@@ -58,19 +90,64 @@ pub fn product_series<L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L;
 where
     [L; C]: Routines<L>,
 {
+    product_series_by::<Inlined, L, C>(f, degree)
+}
+
+/// [`product_series`] with products called by `P`.
+#[inline(always)]
+pub fn product_series_by<P: Calls<L, C>, L: Lane, const C: usize>(
+    f: &[L; C],
+    degree: usize,
+) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
     let zero = f[0].lift(0.0);
     let mut sum = <[L; C]>::filled(zero);
     sum[0] = zero.lift(ROOT_FOUR_PI);
     let mut term = *f;
     for k in 1..=degree {
         if k > 1 {
-            term = term.product(f).map(|x| x * zero.lift(1.0 / k as f64));
+            term = P::product(&term, f).map(|x| x * zero.lift(1.0 / k as f64));
         }
         for (a, b) in sum.iter_mut().zip(term) {
             *a = *a + b;
         }
     }
     sum
+}
+
+/// exp*(f) by a factored product series of degree `degree` after scaling: PS*-p of Ren et al. 2006.
+///
+/// Even and odd powers are kept apart (eq. 22), so that degree p costs about (p+1)/2 products; degree 2
+/// costs one square. Then comes one square for each halving.
+///
+/// ```
+/// use sh_core::{Sh4d, exp};
+/// let g = exp::ps_star(&(Sh4d::ONE * -0.5).0, 2);
+/// assert!((g[0] - (-0.5_f64).exp() * Sh4d::ONE[0]).abs() < 1e-15);
+/// ```
+#[inline(always)]
+pub fn ps_star<L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    ps_star_by::<Inlined, L, C>(f, degree)
+}
+
+/// [`ps_star`] with products and squares called by `P`.
+///
+/// ```
+/// use sh_core::exp::{self, Outlined};
+/// let f = [-0.3_f64; 16];
+/// assert_eq!(exp::ps_star_by::<Outlined, _, _>(&f, 2), exp::ps_star(&f, 2));
+/// ```
+#[inline(always)]
+pub fn ps_star_by<P: Calls<L, C>, L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    scaled::<P, L, C>(f, |h, _| series::<P, L, C>(h, degree))
 }
 
 /// exp*(f) by the optimal linear approximation: OL of Ren et al. 2006 (eq. 23), with a and b of circles.
@@ -114,46 +191,12 @@ pub fn hyb<L: Lane, const C: usize>(f: &[L; C]) -> [L; C]
 where
     [L; C]: Routines<L>,
 {
-    hybrid(f, Routines::square)
+    hyb_by::<Inlined, L, C>(f)
 }
 
-/// PS*-2 with the caller's way to call [`Routines::square`], the only routine it needs.
-///
-/// A square is some hundred operations, inlined wherever it is used; where that is too much code, or where a
-/// routine must be entered in a certain instruction set, hand in a function that is not inlined.
-///
-/// ```
-/// use sh_core::{Routines, exp};
-/// let f = [-0.3_f64; 16];
-/// let (a, b) = (exp::quadratic(&f, Routines::square), exp::ps_star(&f, 2));
-/// assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-14));
-/// ```
+/// [`hyb`] with squares called by `P`.
 #[inline(always)]
-pub fn quadratic<L: Lane, const C: usize>(f: &[L; C], square: impl Fn(&[L; C]) -> [L; C]) -> [L; C]
-where
-    [L; C]: Routines<L>,
-{
-    let (half, one) = (f[0].lift(0.5), f[0].lift(ROOT_FOUR_PI));
-    let series = |h: &[L; C], _| {
-        let mut g = square(h);
-        for (g, h) in g.iter_mut().zip(h) {
-            *g = g.mul_add(half, *h);
-        }
-        g[0] = g[0] + one;
-        g
-    };
-    scaled(f, series, &square)
-}
-
-/// [`hyb`] with the caller's way to call [`Routines::square`], as [`quadratic`].
-///
-/// ```
-/// use sh_core::{Routines, exp};
-/// let f = [-0.3_f64; 16];
-/// assert_eq!(exp::hybrid(&f, Routines::square), exp::hyb(&f));
-/// ```
-#[inline(always)]
-pub fn hybrid<L: Lane, const C: usize>(f: &[L; C], square: impl Fn(&[L; C]) -> [L; C]) -> [L; C]
+pub fn hyb_by<P: Calls<L, C>, L: Lane, const C: usize>(f: &[L; C]) -> [L; C]
 where
     [L; C]: Routines<L>,
 {
@@ -163,7 +206,7 @@ where
         g[0] = a * a.lift(ROOT_FOUR_PI);
         g
     };
-    scaled(f, linear, square)
+    scaled::<P, L, C>(f, linear)
 }
 
 /// DC isolation and scaling/squaring around an approximation `exp` for vectors without DC of norm < 1/4,
@@ -172,10 +215,9 @@ where
 /// The factor exp(f₀/√(4π)) is spread over the squarings, its 2^p-th root before the first: a sum over
 /// hundreds of blockers has a large f̂ and a tiny factor, and exp(f̂) alone would overflow first.
 #[inline(always)]
-fn scaled<L: Lane, const C: usize>(
+fn scaled<P: Calls<L, C>, L: Lane, const C: usize>(
     f: &[L; C],
     exp: impl Fn(&[L; C], L) -> [L; C],
-    square: impl Fn(&[L; C]) -> [L; C],
 ) -> [L; C]
 where
     [L; C]: Routines<L>,
@@ -205,7 +247,7 @@ where
     let mut g = exp(&rest.map(|x| x * scale), norm).map(|x| x * root);
     let mut done = zero;
     for _ in 0..most {
-        let squared = square(&g);
+        let squared = P::square(&g);
         let more = done.lt(halvings);
         for (a, b) in g.iter_mut().zip(squared) {
             *a = L::select(more, b, *a);
@@ -217,7 +259,7 @@ where
 
 /// Σ_k f^k/k! up to `degree`, even and odd powers apart (eq. 22).
 #[inline(always)]
-fn series<L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
+fn series<P: Calls<L, C>, L: Lane, const C: usize>(f: &[L; C], degree: usize) -> [L; C]
 where
     [L; C]: Routines<L>,
 {
@@ -230,7 +272,7 @@ where
         }
         return even;
     }
-    let squared = f.square();
+    let squared = P::square(f);
     let mut odd = even;
     let mut power = squared;
     let mut factorial = 1.0;
@@ -242,11 +284,11 @@ where
             *a = b.mul_add(weight, *a);
         }
         if k % 2 == 1 && k < degree {
-            power = power.product(&squared);
+            power = P::product(&power, &squared);
         }
     }
     // Degree 2 has no odd power but f itself: no product is spent on it.
-    let odd = if degree == 2 { *f } else { f.product(&odd) };
+    let odd = if degree == 2 { *f } else { P::product(f, &odd) };
     for (a, b) in even.iter_mut().zip(odd) {
         *a = *a + b;
     }

@@ -1,5 +1,6 @@
 //! Circular blockers and the exponential of their logarithms, and environment maps.
 
+use sh_core::exp::Outlined;
 use sh_core::log::Logarithm;
 use sh_core::{ROOT_FOUR_PI, Routines, cap, exp, project};
 use sh_reference as reference;
@@ -107,7 +108,7 @@ fn fitted_log_gives_back_the_visibility() {
             let want = <[f64; C]>::zonal(cap::visibility::<C>(angle), [0.0, 0.0, 1.0]);
             let from = |z| {
                 distance(
-                    &exp::ps_star(&<[f64; C]>::zonal(z, [0.0, 0.0, 1.0]), 2),
+                    &exp::ps_star_by::<Outlined, _, _>(&<[f64; C]>::zonal(z, [0.0, 0.0, 1.0]), 2),
                     &want,
                 ) / ROOT_FOUR_PI
             };
@@ -166,30 +167,83 @@ fn table_interpolates() {
 fn exponentials_against_reference() {
     fn check<const C: usize>()
     where
-        [f64; C]: Routines<f64>,
+        [f64; C]: Logarithm,
     {
         let mut random = sh_tests::case::Random::new(11);
         for size in [0.0, 0.01, 0.2, 0.3, 1.0, 3.0, 8.0] {
             let f: [f64; C] = std::array::from_fn(|_| size * random.signed() / (C as f64).sqrt());
+            let same = |got: &[f64], want: &[f64], name: &str| {
+                let off = distance(got, want) / (1.0 + distance(want, &[0.0; C]));
+                assert!(off < 1e-10, "{name} of {size}: {off:e}");
+            };
             for degree in [1, 2, 3, 4, 7] {
                 let want = reference::exp::ps_star(&f, degree);
-                let got = exp::ps_star(&f, degree);
-                assert!(
-                    distance(&got, &want) < 1e-10 * (1.0 + distance(&want, &[0.0; C])),
-                    "PS*-{degree} of {size}"
-                );
+                let got = exp::ps_star_by::<Outlined, _, _>(&f, degree);
+                same(&got, &want, "PS*");
+                let want = reference::exp::series(&f, degree);
+                let got = exp::product_series_by::<Outlined, _, _>(&f, degree);
+                same(&got, &want, "PS");
             }
             let want = reference::exp::hyb(&f, reference::exp::squarings(&f), |norm| {
-                let [a, b] = <[f64; C]>::optimal_linear(norm);
-                (a, b)
+                <[f64; C]>::optimal_linear(norm).into()
             });
-            assert!(
-                distance(&exp::hyb(&f), &want) < 1e-10 * (1.0 + distance(&want, &[0.0; C])),
-                "HYB of {size}"
-            );
+            same(&exp::hyb_by::<Outlined, _, _>(&f), &want, "HYB");
+            let want =
+                reference::exp::hyb(&f, 0, |norm| <[f64; C]>::optimal_linear_wide(norm).into());
+            same(&exp::optimal_linear(&f), &want, "OL");
+            // The series' limit, where its terms are small enough to be summed.
+            if size <= 3.0 {
+                same(&f.exp(), &reference::exp::series(&f, 60), "eigen");
+            }
         }
     }
     every_order!(check);
+}
+
+/// The factors of the optimal linear exponential follow the circles that they are fitted to, over the range that
+/// the paper gives for order 4.
+#[test]
+fn optimal_linear_factors_are_those_of_circles() {
+    let mut checked = 0;
+    for degree in 5..=50 {
+        let angle = f64::from(degree).to_radians();
+        let g = reference::zonal::upright(&reference::cap::visibility(4, angle));
+        let f = reference::log::eigen(&g, reference::log::CLIP).expect("something is visible");
+        let norm = distance(&f[1..], &[0.0; 15]);
+        if norm > 4.8 {
+            break;
+        }
+        let (a, b) = reference::exp::fit_linear(&g, &f);
+        let [ours_a, ours_b] = <[f64; 16]>::optimal_linear_wide(norm);
+        assert!(
+            (ours_a - a).abs() < 0.08 * a,
+            "{degree}°: a = {ours_a}, a circle's {a}"
+        );
+        assert!(
+            (ours_b - b).abs() < 0.09,
+            "{degree}°: b = {ours_b}, a circle's {b}"
+        );
+        checked += 1;
+    }
+    assert!(checked > 30);
+}
+
+/// Figure 9 of Ren et al. 2006: many blockers, deep shadow. PS*-2 and HYB agree; PS-21 is still wrong.
+#[test]
+fn the_plain_series_is_wrong_where_scaled_ones_match() {
+    let mut f = [0.0; 16];
+    for i in 0..8 {
+        let (sin, cos) = (0.25 * f64::from(i)).sin_cos();
+        let log = cap::log_table::<16>(40f64.to_radians());
+        let turned = <[f64; 16]>::zonal(log, [0.4 * cos, 0.4 * sin, 0.84f64.sqrt()]);
+        f.iter_mut().zip(turned).for_each(|(f, t)| *f += t);
+    }
+    let ps_star = exp::ps_star_by::<Outlined, _, _>(&f, 2);
+    let hyb = exp::hyb_by::<Outlined, _, _>(&f);
+    let series = exp::product_series_by::<Outlined, _, _>(&f, 21);
+    let agree = distance(&ps_star, &hyb) / ROOT_FOUR_PI;
+    let off = distance(&ps_star, &series) / ROOT_FOUR_PI;
+    assert!(agree < 0.15 && off > 1.0, "{agree} {off}");
 }
 
 /// A constant's exponential is exact: DC is isolated with f₀/√(4π) and nothing else.
@@ -198,7 +252,12 @@ fn exponential_of_a_constant() {
     for value in [-30.0, -1.0, 0.0, 0.7] {
         let mut f = [0.0; 16];
         f[0] = value * ROOT_FOUR_PI;
-        for g in [exp::ps_star(&f, 2), exp::hyb(&f)] {
+        for g in [
+            exp::ps_star_by::<Outlined, _, _>(&f, 2),
+            exp::hyb_by::<Outlined, _, _>(&f),
+            exp::optimal_linear(&f),
+            f.exp(),
+        ] {
             assert!((g[0] / ROOT_FOUR_PI - f64::exp(value)).abs() < 1e-14);
         }
     }
@@ -209,7 +268,7 @@ fn exponential_of_a_constant() {
 fn exponential_of_small_logs() {
     let f = <[f64; 16]>::zonal(cap::log_fitted::<16>(0.2), [0.6, 0.0, 0.8]);
     let exact = reference::exp::exact(&f).coefficients;
-    assert!(distance(&exp::ps_star(&f, 2), &exact) < 2e-3);
+    assert!(distance(&exp::ps_star_by::<Outlined, _, _>(&f, 2), &exact) < 2e-3);
 }
 
 /// What is not finite comes back as such, soon.
@@ -218,7 +277,7 @@ fn exponential_ends_for_any_input() {
     for bad in [f32::NAN, f32::INFINITY, 1e30] {
         let mut f = [0.1_f32; 16];
         f[5] = bad;
-        let g = exp::ps_star(&f, 2);
+        let g = exp::ps_star_by::<Outlined, _, _>(&f, 2);
         assert!(g.iter().any(|x| !x.is_finite()) || bad == 1e30);
     }
 }

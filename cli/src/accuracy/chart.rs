@@ -34,6 +34,14 @@ fn family(exponential: &str) -> usize {
     known.unwrap_or(FAMILIES.len() - 1)
 }
 
+/// Whether a chart can be written to a file of this name: before the work, not after it.
+///
+/// # Errors
+/// A name that ends in neither `.svg` nor `.png`.
+pub fn check(file: &Path) -> Result<(), Error> {
+    canvas::check(file)
+}
+
 /// Draws the error of every method against its time on the CPU: a panel for each order from 3 to 6, the methods
 /// that no other beats named and joined. Vector lanes where a method has them; scalar times are hollow marks.
 ///

@@ -145,6 +145,7 @@ pub(super) mod samples {
             ns,
             heavy: 2.5 * mean,
             stacked: 1e15,
+            from_exact: None,
         }
     }
 }

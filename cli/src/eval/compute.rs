@@ -1,30 +1,16 @@
 //! Requests on the processor, by the routines of `sh-core`.
 
-use super::{CapLog, Exponential, Op, Request};
+use super::{CapLog, LogMethod, Op, Request};
+use crate::exponential::Real;
 use sh_core::log::{Logarithm, clipped_samples};
-use sh_core::{Lane, Routines, cap, exp};
+use sh_core::{Routines, cap};
+
+/// Degree of the rule that samples of a logarithm are taken on.
+const SAMPLES_DEGREE: usize = 100;
 
 /// What clipped samples are clipped to, from below (ε in Ren et al. 2006, eq. 25): as much as the eigen
 /// logarithm leaves of the largest eigenvalue.
 const SAMPLES_FLOOR: f64 = 0.02;
-
-/// A number to compute with.
-pub trait Real: Lane + Default + Into<f64> {
-    /// Rounded from double precision.
-    fn round(value: f64) -> Self;
-}
-
-impl Real for f64 {
-    fn round(value: f64) -> Self {
-        value
-    }
-}
-
-impl Real for f32 {
-    fn round(value: f64) -> Self {
-        value as f32
-    }
-}
 
 /// Computes a request with numbers of type `L`; what there is in double precision alone is computed so and
 /// rounded. The error is a sentence.
@@ -68,18 +54,23 @@ where
             L::round(angle.sin()),
             L::round(angle.cos()),
         )),
+        Op::CapLog(angle, CapLog::FittedTo(fit)) => {
+            rounded::<L>(cap::log_fitted_to::<C>(*fit, *angle))
+        }
         Op::CapLog(angle, CapLog::Table) => rounded::<L>(cap::log_table::<C>(*angle)),
         Op::CapLog(angle, CapLog::Eigen) => rounded::<L>(crate::fit::eigen_log::<C>(*angle)),
         Op::CapLog(angle, CapLog::Samples) => rounded::<L>(clipped_samples::<C>(
             cap::visibility::<C>(*angle),
             SAMPLES_FLOOR,
         )),
-        Op::Log(f) => {
+        Op::Log(f, LogMethod::Eigen) => {
             let f: [f64; C] = std::array::from_fn(|i| f[i]);
             rounded::<L>(f.log())
         }
-        Op::Exp(f, Exponential::ProductSeries(degree)) => wide(exp::ps_star(&vector(f), *degree)),
-        Op::Exp(f, Exponential::Hybrid) => wide(exp::hyb(&vector(f))),
+        Op::Log(f, LogMethod::Samples) => {
+            rounded::<L>(sh_reference::log::samples(f, SAMPLES_FLOOR, SAMPLES_DEGREE))
+        }
+        Op::Exp(f, exponential) => wide(exponential.of(&vector(f))),
         Op::Window(f, h) => wide(vector(f).window(L::round(*h))),
     }
 }

@@ -1,21 +1,23 @@
 //! Requests on the GPU: the generated WGSL library with one small entry point a routine.
 
-use super::{CapLog, Exponential, Op, Request};
+use super::{CapLog, Op, Request};
 use crate::Error;
+use crate::exponential::Exponential;
 use crate::gpu::Gpu;
 use sh_codegen::routines::{Shape, find};
+use sh_codegen::sampled::Fineness;
+use sh_core::cap::Fit;
 use std::collections::HashMap;
 use wgpu::{BindGroup, BindGroupLayout, Buffer, BufferUsages, ComputePipeline, ShaderModule};
 
 /// Numbers that the largest request brings: three vectors of order 6.
-const MOST_ARGUMENTS: u64 = 3 * 36;
+const MOST_ARGUMENTS: u64 = 3 * 36 + 1;
 
 /// Numbers of the largest answer.
 const MOST_RESULTS: u64 = 36;
 
-/// The functions of the library that requests can call: names of routines, and the exponentials, which are
-/// no generated routines.
-const FUNCTIONS: [&str; 12] = [
+/// The functions of the library that requests can call: names of routines, and the exponentials that are none.
+const FUNCTIONS: [&str; 19] = [
     "basis",
     "cosine",
     "product",
@@ -25,9 +27,16 @@ const FUNCTIONS: [&str; 12] = [
     "zonal",
     "cap_visibility",
     "cap_log",
+    "cap_log_saturating",
     "window",
-    "exponential_ps_star",
-    "exponential_hyb",
+    "exp_saturating",
+    "exp_sampled_coarse",
+    "exp_sampled",
+    "exp_sampled_fine",
+    "exp_product_series",
+    "exp_ps_star",
+    "exp_hyb",
+    "exp_optimal_linear",
 ];
 
 /// Evaluates requests on a GPU, one at a time. Shaders are compiled when they are first needed.
@@ -194,13 +203,27 @@ fn call(op: &Op) -> Result<(&'static str, Vec<f64>), String> {
         Op::CapLog(angle, CapLog::Table) if *angle > std::f64::consts::FRAC_PI_2 => {
             return only("`cap_log` beyond π/2");
         }
-        Op::CapLog(..) => return only("`cap_log` by any method but fitted"),
-        Op::Log(_) => return only("`log`"),
-        Op::Exp(f, Exponential::ProductSeries(2)) => ("exponential_ps_star", f.clone()),
-        Op::Exp(_, Exponential::ProductSeries(_)) => {
-            return only("`exp` by any method but ps*:2 and hyb");
+        Op::CapLog(angle, CapLog::FittedTo(Fit::Saturating)) => {
+            ("cap_log_saturating", vec![angle.sin(), angle.cos()])
         }
-        Op::Exp(f, Exponential::Hybrid) => ("exponential_hyb", f.clone()),
+        Op::CapLog(..) => return only("`cap_log` by any method but fitted and fitted:saturating"),
+        Op::Log(..) => return only("`log`"),
+        Op::Exp(f, exponential) => match exponential {
+            Exponential::Saturating => ("exp_saturating", f.clone()),
+            Exponential::Sampled(Fineness::Coarse) => ("exp_sampled_coarse", f.clone()),
+            Exponential::Sampled(Fineness::Medium) => ("exp_sampled", f.clone()),
+            Exponential::Sampled(Fineness::Fine) => ("exp_sampled_fine", f.clone()),
+            Exponential::Series(degree) => (
+                "exp_product_series",
+                [f.as_slice(), &[*degree as f64]].concat(),
+            ),
+            Exponential::Factored(degree) => {
+                ("exp_ps_star", [f.as_slice(), &[*degree as f64]].concat())
+            }
+            Exponential::OptimalLinear => ("exp_optimal_linear", f.clone()),
+            Exponential::Hybrid => ("exp_hyb", f.clone()),
+            Exponential::Eigen => return only("`exp` by eigenanalysis"),
+        },
         Op::Window(f, h) => ("window", [f.as_slice(), &[*h]].concat()),
     })
 }
@@ -212,8 +235,14 @@ fn signature(function: &str) -> (Vec<Shape>, Shape) {
             routine.arguments.iter().map(|a| a.1).collect(),
             routine.result,
         ),
+        None if has_degree(function) => (vec![Shape::Vector, Shape::Scalar], Shape::Vector),
         None => (vec![Shape::Vector], Shape::Vector),
     }
+}
+
+/// Whether a function's last argument is a degree, a whole number.
+fn has_degree(function: &str) -> bool {
+    matches!(function, "exp_product_series" | "exp_ps_star")
 }
 
 fn entry_point(function: &str) -> String {
@@ -250,6 +279,7 @@ fn source(order: usize) -> String {
                     Shape::Vector => format!("vector_at({first}u)"),
                     Shape::Direction => format!("vec3f({})", each(3)),
                     Shape::Quaternion => format!("vec4f({})", each(4)),
+                    _ if has_degree(function) => format!("u32({})", each(1)),
                     _ => each(1),
                 };
                 first += shape.len(order);

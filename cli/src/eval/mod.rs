@@ -8,13 +8,14 @@
 //! |---|---|---|
 //! | `basis`, `cosine` | `dir` | n² |
 //! | `product` | `f`, `g` | n² |
-//! | `square`, `log` | `f` | n² |
+//! | `square` | `f` | n² |
+//! | `log` | `f`, `method`: `eigen`, `samples` | n² |
 //! | `triple` | `f`, `g`, `h` | 1 |
 //! | `rotate` | `f`, `quat` (x, y, z, w) | n² |
 //! | `zonal` | `z` (n numbers), `dir` | n² |
 //! | `cap` | `angle` | n |
-//! | `cap_log` | `angle`, `method`: `fitted`, `table`, `eigen`, `samples` | n |
-//! | `exp` | `f`, `method`: `ps*:2`, `ps*:N`, `hyb` | n² |
+//! | `cap_log` | `angle`, `method`: `fitted`, `fitted:saturating` (or another exponential), `table`, `eigen`, `samples` | n |
+//! | `exp` | `f`, `method`: `saturating`, `sampled`, `sampled:50`, `ps:21`, `ps*:2`, `ol`, `hyb`, `eigen` | n² |
 //! | `window` | `f`, `h` | n² |
 
 mod compute;
@@ -23,7 +24,7 @@ mod parse;
 
 pub use compute::compute;
 pub use gpu::Evaluator;
-pub use parse::{CapLog, Exponential, Op, Request, parse};
+pub use parse::{CapLog, LogMethod, Op, Request, parse};
 
 use crate::Error;
 use std::io::{BufRead, Write};

@@ -1,6 +1,8 @@
 //! Requests: from a line of JSON to numbers that are known to be right in kind, count and range.
 
+use crate::exponential::Exponential;
 use serde_json::{Map, Value};
+use sh_core::cap::Fit;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// How far the length of a direction or quaternion may be from 1; it is then brought to 1.
@@ -8,9 +10,6 @@ const UNIT_TOLERANCE: f64 = 1e-4;
 
 /// How far above π an angle may be, for angles that were rounded to single precision.
 const ANGLE_TOLERANCE: f64 = 1e-6;
-
-/// Most terms of a product series.
-const MOST_TERMS: usize = 64;
 
 /// One thing to compute.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +43,7 @@ pub enum Op {
     /// The logarithm of that.
     CapLog(f64, CapLog),
     /// The logarithm of a vector.
-    Log(Vec<f64>),
+    Log(Vec<f64>, LogMethod),
     /// The exponential of a vector.
     Exp(Vec<f64>, Exponential),
     /// A vector windowed to a width.
@@ -54,8 +53,10 @@ pub enum Op {
 /// Ways to the logarithm of a cap's visibility.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CapLog {
-    /// The polynomial that the shadow pass uses, for angles up to π/2.
+    /// The polynomial that follows the eigen logarithm, for angles up to π/2.
     Fitted,
+    /// The polynomial that is fitted to an exponential, for angles up to π/2.
+    FittedTo(Fit),
     /// The eigen logarithm at whole degrees, interpolated.
     Table,
     /// Eigenanalysis.
@@ -64,14 +65,24 @@ pub enum CapLog {
     Samples,
 }
 
-/// Ways to the exponential.
+/// Ways to the logarithm of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Exponential {
-    /// The product series of this degree, with scaling and squaring.
-    ProductSeries(usize),
-    /// The optimal linear approximation, with scaling and squaring.
-    Hybrid,
+pub enum LogMethod {
+    /// Eigenanalysis.
+    Eigen,
+    /// Clipped samples, projected back.
+    Samples,
 }
+
+/// The fitted logarithms by name: `fitted:` and the exponential they are fitted to.
+const FITS: [(&str, Fit); 6] = [
+    ("fitted:saturating", Fit::Saturating),
+    ("fitted:sampled", Fit::Sampled),
+    ("fitted:ps*", Fit::Series),
+    ("fitted:hyb", Fit::Hybrid),
+    ("fitted:ol", Fit::OptimalLinear),
+    ("fitted:eigen", Fit::Eigen),
+];
 
 /// Reads a line. The error is a sentence.
 pub fn parse(line: &[u8]) -> Result<Request, String> {
@@ -143,7 +154,7 @@ impl<'a> Fields<'a> {
                 let angle = self.angle()?;
                 Op::CapLog(angle, self.cap_log(angle)?)
             }
-            "log" => Op::Log(self.vector("f")?),
+            "log" => Op::Log(self.vector("f")?, self.log()?),
             "exp" => Op::Exp(self.vector("f")?, self.exponential()?),
             _ => {
                 let f = self.vector("f")?;
@@ -240,33 +251,39 @@ impl<'a> Fields<'a> {
         match self.method()? {
             None if fits => Ok(CapLog::Fitted),
             None => Ok(CapLog::Table),
-            Some("fitted") if fits => Ok(CapLog::Fitted),
-            Some("fitted") => Err(format!(
-                "`angle` is {angle}, but the fitted logarithm ends at π/2: use the method table, eigen or samples"
+            Some(name) if name.starts_with("fitted") && !fits => Err(format!(
+                "`angle` is {angle}, but the fitted logarithms end at π/2: use the method table, eigen or samples"
             )),
+            Some("fitted") => Ok(CapLog::Fitted),
             Some("table") => Ok(CapLog::Table),
             Some("eigen") => Ok(CapLog::Eigen),
             Some("samples") => Ok(CapLog::Samples),
+            Some(other) => match FITS.iter().find(|(name, _)| *name == other) {
+                Some((_, fit)) => Ok(CapLog::FittedTo(*fit)),
+                None => Err(format!(
+                    "`method` is \"{other}\", which is none of fitted, {}, table, eigen, samples",
+                    FITS.map(|(name, _)| name).join(", ")
+                )),
+            },
+        }
+    }
+
+    fn log(&mut self) -> Result<LogMethod, String> {
+        match self.method()? {
+            None | Some("eigen") => Ok(LogMethod::Eigen),
+            Some("samples") => Ok(LogMethod::Samples),
             Some(other) => Err(format!(
-                "`method` is \"{other}\", which is none of fitted, table, eigen, samples"
+                "`method` is \"{other}\", which is neither eigen nor samples"
             )),
         }
     }
 
     fn exponential(&mut self) -> Result<Exponential, String> {
-        let text = match self.method()? {
-            None => return Ok(Exponential::ProductSeries(2)),
-            Some("hyb") => return Ok(Exponential::Hybrid),
-            Some(text) => text,
-        };
-        let degree = text
-            .strip_prefix("ps*:")
-            .and_then(|degree| degree.parse().ok());
-        match degree {
-            Some(degree @ 1..=MOST_TERMS) => Ok(Exponential::ProductSeries(degree)),
-            _ => Err(format!(
-                "`method` is \"{text}\", which is neither hyb nor ps*:N with N from 1 to {MOST_TERMS}"
-            )),
+        match self.method()? {
+            None => Ok(Exponential::Factored(2)),
+            Some(text) => {
+                Exponential::parse(text, self.order).map_err(|error| format!("`method` is {error}"))
+            }
         }
     }
 }
@@ -298,7 +315,7 @@ impl Request {
         let (numbers, more, most): (&[f64], &[f64], &[f64]) = match &self.op {
             Op::Product(f, g) => (f, g, &[]),
             Op::Triple(f, g, h) => (f, g, h),
-            Op::Square(f) | Op::Rotate(f, _) | Op::Zonal(f, _) | Op::Log(f) | Op::Exp(f, _) => {
+            Op::Square(f) | Op::Rotate(f, _) | Op::Zonal(f, _) | Op::Log(f, _) | Op::Exp(f, _) => {
                 (f, &[], &[])
             }
             Op::Window(f, h) => (f, std::slice::from_ref(h), &[]),

@@ -21,15 +21,13 @@ const GAIN: f64 = 1e-9;
 /// How far a parameter is moved to see what it does.
 const DIFFERENCE: f64 = 1e-6;
 
+/// r_i of the parameters and i, written to the slice.
+type Residual<'a> = &'a (dyn Fn(&[f64], usize, &mut [f64]) + Sync);
+
 /// Minimises Σ_i w_i ‖r_i(x)‖² by Levenberg's and Marquardt's method (Moré 1978), from `x`, with derivatives by
 /// differences. `residual(x, i)` writes r_i of `size` numbers. The sums run in a fixed order: the same result for
 /// any number of threads. Gives back the last sum.
-pub(super) fn minimise(
-    x: &mut [f64],
-    weights: &[f64],
-    size: usize,
-    residual: &(dyn Fn(&[f64], usize, &mut [f64]) + Sync),
-) -> f64 {
+pub(super) fn minimise(x: &mut [f64], weights: &[f64], size: usize, residual: Residual<'_>) -> f64 {
     let n = x.len();
     let sum = |x: &[f64]| -> f64 {
         let terms: Vec<f64> = (0..weights.len())

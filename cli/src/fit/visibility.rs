@@ -9,8 +9,9 @@ use super::sets::{Sets, training};
 use super::{Texts, row};
 use sh_codegen::octahedral;
 use sh_codegen::sampled::{self, Fineness};
+use sh_core::exp::{self, Outlined};
 use sh_core::log::Logarithm;
-use sh_core::{ROOT_FOUR_PI, Routines, exp};
+use sh_core::{ROOT_FOUR_PI, Routines};
 use sh_reference::visibility::Cap;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -121,15 +122,6 @@ where
     }
 }
 
-/// Out of line: inlined wherever it is used, the largest orders would take minutes to compile.
-#[inline(never)]
-fn square<const C: usize>(f: &[f64; C]) -> [f64; C]
-where
-    [f64; C]: Routines<f64>,
-{
-    f.square()
-}
-
 /// The polynomials that the fits start from: those of the eigen logarithm, brought to another degree by least
 /// squares over angles, times `scale`.
 fn start(eigen: &[Vec<f64>], degree: usize, scale: f64) -> Vec<f64> {
@@ -193,8 +185,10 @@ pub(super) fn fit<const C: usize>(
         ("sampled", &stacked, &|f, _| f.exp_sampled()),
         ("sampled_coarse", &stacked, &|f, _| f.exp_sampled_coarse()),
         ("sampled_fine", &stacked, &|f, _| f.exp_sampled_fine()),
-        ("ps_star", &separate, &|f, _| exp::quadratic(f, square)),
-        ("hyb", &separate, &|f, _| exp::hybrid(f, square)),
+        ("ps_star", &separate, &|f, _| {
+            exp::ps_star_by::<Outlined, _, _>(f, 2)
+        }),
+        ("hyb", &separate, &|f, _| exp::hyb_by::<Outlined, _, _>(f)),
         ("optimal_linear", &separate, &|f, _| exp::optimal_linear(f)),
     ];
     let count = methods.len() as f32;

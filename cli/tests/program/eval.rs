@@ -109,6 +109,27 @@ fn cases(order: usize) -> Vec<(Value, Vec<f64>, [f64; 2])> {
             [1e-12, 1e-3],
         ));
     }
+    for degree in [1, 5, 21] {
+        let method = format!("ps:{degree}");
+        let exp = truth::exp::series(&f, degree);
+        cases.push((
+            json!({"op": "exp", "f": f, "method": method}),
+            exp,
+            [1e-12, 1e-3],
+        ));
+    }
+    let limit = truth::exp::series(&f, 60);
+    cases.push((
+        json!({"op": "exp", "f": f, "method": "eigen"}),
+        limit,
+        [1e-9, 1e-3],
+    ));
+    let samples = truth::log::samples(&positive, truth::log::CLIP, 100);
+    cases.push((
+        json!({"op": "log", "f": positive, "method": "samples"}),
+        samples,
+        [1e-12, 1e-6],
+    ));
     cases.push((
         json!({"op": "exp", "f": f}),
         truth::exp::ps_star(&f, 2),
@@ -158,8 +179,50 @@ fn every_operation_is_that_of_the_reference() {
     }
 }
 
+/// Blockers by the logarithm fitted to an exponential, summed, and the exponential of that: near the truth.
 #[test]
-fn the_defaults_are_what_the_shadow_pass_uses() {
+fn every_exponential_takes_its_own_logarithm_back() {
+    let caps = [
+        ([0.0, 0.0, 1.0], 0.5),
+        ([0.8, 0.0, 0.6], 0.4),
+        ([0.0, -0.6, 0.8], 0.3),
+    ];
+    let truth = truth::arcs::project(
+        4,
+        &caps.map(|(axis, angle)| truth::visibility::Cap { axis, angle }),
+    );
+    for (exponential, fit) in [
+        ("saturating", "fitted:saturating"),
+        ("sampled", "fitted:sampled"),
+        ("sampled:50", "fitted:sampled"),
+        ("ps*:2", "fitted:ps*"),
+        ("ps*:2", "fitted"),
+        ("hyb", "fitted:hyb"),
+        ("ps:21", "fitted:eigen"),
+        ("eigen", "eigen"),
+    ] {
+        let logs = answers(
+            "f64",
+            &caps.map(
+                |(_, angle)| json!({"op": "cap_log", "order": 4, "angle": angle, "method": fit}),
+            ),
+        );
+        let mut sum = vec![0.0; 16];
+        for ((axis, _), log) in caps.iter().zip(logs) {
+            let zonal: Vec<f64> = serde_json::from_value(log["ok"].clone()).unwrap();
+            let turned = truth::zonal::rotated(&zonal, *axis);
+            sum.iter_mut().zip(turned).for_each(|(s, t)| *s += t);
+        }
+        let request = json!({"op": "exp", "order": 4, "f": sum, "method": exponential});
+        let answer = answers("f64", &[request]).remove(0);
+        let g: Vec<f64> = serde_json::from_value(answer["ok"].clone()).unwrap();
+        let off = truth::basis::distance(&g, &truth.coefficients) / (4.0 * PI).sqrt();
+        assert!(off < 0.06, "{exponential} of {fit}: {off}");
+    }
+}
+
+#[test]
+fn without_a_method_the_logarithm_is_the_eigen_one() {
     let request = |angle: f64, method: Value| {
         let mut request = json!({"op": "cap_log", "order": 4, "angle": angle});
         if !method.is_null() {
@@ -342,7 +405,7 @@ fn what_is_wrong_is_said_and_the_next_line_is_answered() {
         ),
         (
             r#"{"op": "cap_log", "order": 2, "angle": 1, "method": "best"}"#,
-            "fitted, table, eigen, samples",
+            "fitted:ol, fitted:eigen, table, eigen, samples",
         ),
         (
             r#"{"op": "cap_log", "order": 2, "angle": 1, "method": 3}"#,
@@ -359,6 +422,14 @@ fn what_is_wrong_is_said_and_the_next_line_is_answered() {
         (
             r#"{"op": "exp", "order": 2, "f": [1, 2, 3, 4], "method": "ps*:99999999999999999999"}"#,
             "ps*:N",
+        ),
+        (
+            r#"{"op": "exp", "order": 4, "f": [1, 2, 3, 4, 5, 6, 7, 8, 9, 1, 2, 3, 4, 5, 6, 7], "method": "sampled:14"}"#,
+            "Q = 38, 50, 86 (at order 4)",
+        ),
+        (
+            r#"{"op": "log", "order": 2, "f": [1, 2, 3, 4], "method": "fitted"}"#,
+            "neither eigen nor samples",
         ),
         (
             r#"{"op": "exp", "order": 2, "f": [1e300, 1e300, 0, 0]}"#,

@@ -160,7 +160,7 @@ fn quality_and_orders_win_over_the_scene() {
         (&[], [2, 3]),
         (&["--order", "3"], [3, 3]),
         (&["--accumulation", "5"], [2, 5]),
-        (&["--quality", "accurate", "--order", "5"], [5, 6]),
+        (&["--quality", "accurate", "--order", "5"], [5, 5]),
         (&["--quality", "fast", "--accumulation", "4"], [3, 4]),
     ];
     let mut pictures = Vec::new();

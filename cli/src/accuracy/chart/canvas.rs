@@ -314,6 +314,11 @@ fn glyphs(font: &FontRef<'_>, words: &str, size: f64) -> Vec<(Glyph, f64)> {
     words.chars().map(place).collect()
 }
 
+/// Whether a chart can be written to a file of this name.
+pub(super) fn check(path: &Path) -> Result<(), Error> {
+    Kind::of(path).map(|_| ())
+}
+
 /// The kinds of files that charts are written to.
 enum Kind {
     Svg,

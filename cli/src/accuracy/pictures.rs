@@ -1,0 +1,155 @@
+//! Whole pictures against ray-cast ones.
+//!
+//! The built-in scene, seen by its camera. The truth has rays against the triangles for visibility and light of
+//! order 6; what is measured errs by its spheres, by its logarithms and exponential, and by the order of its
+//! light.
+
+use super::PictureRow;
+use crate::Error;
+use rayon::prelude::*;
+use sh_bake::SphereSet;
+use sh_cpu::{Gbuffer, Geometry};
+use sh_reference::{basis, raycast, sampled};
+use sh_scene::{Light, Receiver, Scene, Settings, View};
+use std::time::Instant;
+
+/// Pixels across and down; there are four receivers a pixel.
+const SIZE: [u32; 2] = [80, 45];
+
+/// Directions over the sphere that the truth looks into from each receiver.
+const RAYS: usize = 2048;
+
+/// Spheres an object.
+const SPHERES: [usize; 4] = [8, 16, 32, 64];
+
+/// Orders of light and accumulation.
+const ORDERS: [(usize, usize); 9] = [
+    (2, 2),
+    (3, 3),
+    (3, 4),
+    (4, 4),
+    (4, 5),
+    (4, 6),
+    (5, 5),
+    (5, 6),
+    (6, 6),
+];
+
+/// Runs of which the fastest counts.
+const RUNS: usize = 3;
+
+/// How far rays start above a surface, in metres.
+const ABOVE: f64 = 1e-4;
+
+fn luminance(c: [f32; 3]) -> f64 {
+    f64::from(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2])
+}
+
+/// All rows.
+pub fn rows(progress: &(dyn Fn(f32) + Sync)) -> Result<Vec<PictureRow>, Error> {
+    let (mut scene, _) = sh_bake::default_scene(&|_| {});
+    let receivers = receivers(&scene)?;
+    let truth = truth(&scene, &receivers)?;
+    progress(0.3);
+    let mut rows = Vec::new();
+    for (i, spheres) in SPHERES.into_iter().enumerate() {
+        scene.objects.par_iter_mut().for_each(|object| {
+            object.spheres = SphereSet::fit(&[&object.mesh], spheres).spheres;
+        });
+        for orders in ORDERS {
+            rows.push(row(&scene, &receivers, &truth, spheres, orders)?);
+        }
+        progress(0.3 + 0.7 * (i + 1) as f32 / SPHERES.len() as f32);
+    }
+    Ok(rows)
+}
+
+/// What the camera sees, without what it misses.
+fn receivers(scene: &Scene) -> Result<Vec<Receiver>, Error> {
+    let view = View {
+        camera: scene.camera,
+        width: SIZE[0],
+        height: SIZE[1],
+    };
+    let geometry = Geometry::new(scene)?;
+    let mut samples = Gbuffer::default();
+    sh_cpu::gbuffer(&geometry, &view, 0..2 * SIZE[1], &mut samples)?;
+    samples.receivers.retain(|receiver| receiver.covered != 0);
+    Ok(samples.receivers)
+}
+
+/// Luminance that albedo 1 reflects at every receiver.
+fn truth(scene: &Scene, receivers: &[Receiver]) -> Result<Vec<f64>, Error> {
+    let light = light(scene, 6)?;
+    let light: Vec<f64> = light.coefficients.iter().map(|c| luminance(*c)).collect();
+    let triangles = scene.objects.iter().flat_map(raycast::world_triangles);
+    let caster = raycast::Caster::new(triangles.collect());
+    let rays: Vec<([f64; 3], f64)> = sampled::directions(RAYS)
+        .map(|direction| (direction, basis::evaluate(&light, direction)))
+        .collect();
+    Ok(receivers
+        .par_iter()
+        .map(|receiver| {
+            let normal = receiver.normal.map(f64::from);
+            let origin =
+                std::array::from_fn(|i| f64::from(receiver.position[i]) + ABOVE * normal[i]);
+            let seen = |(direction, light): &([f64; 3], f64)| {
+                let cosine: f64 = (0..3).map(|i| direction[i] * normal[i]).sum();
+                let open = cosine > 0.0 && !caster.blocked(origin, *direction, 0.0);
+                if open { cosine * light } else { 0.0 }
+            };
+            (rays.iter().map(seen).sum::<f64>() * 4.0 / RAYS as f64).max(0.0)
+        })
+        .collect())
+}
+
+fn light(scene: &Scene, order: usize) -> Result<Light, Error> {
+    let settings = Settings::default().with_order(order);
+    Ok(Light::project(
+        &scene.environment,
+        scene.ground,
+        order,
+        settings.window,
+    )?)
+}
+
+fn row(
+    scene: &Scene,
+    receivers: &[Receiver],
+    truth: &[f64],
+    spheres: usize,
+    (order, accumulation_order): (usize, usize),
+) -> Result<PictureRow, Error> {
+    let light = light(scene, order)?;
+    let blockers = scene.world_spheres();
+    let mut radiance = vec![[0.0; 3]; receivers.len()];
+    let mut seconds = f64::INFINITY;
+    for _ in 0..RUNS {
+        let start = Instant::now();
+        sh_cpu::shadow(
+            receivers,
+            &blockers,
+            &light,
+            accumulation_order,
+            &mut radiance,
+        )?;
+        seconds = seconds.min(start.elapsed().as_secs_f64());
+    }
+    let (mut square, mut bias, mut mean) = (0.0, 0.0, 0.0);
+    for (ours, truth) in radiance.iter().zip(truth) {
+        let difference = luminance(*ours) - truth;
+        square += difference * difference;
+        bias += difference;
+        mean += truth;
+    }
+    let count = truth.len() as f64;
+    Ok(PictureRow {
+        scene: "built-in".into(),
+        order,
+        accumulation_order,
+        spheres,
+        rms: (square / count).sqrt() / (mean / count),
+        bias: bias / mean,
+        ms: seconds * 1e9 / count,
+    })
+}
