@@ -16,6 +16,8 @@ pub struct Geometry<'a> {
     pub(crate) scene: &'a Scene,
     /// None where there is no triangle.
     hierarchy: Option<CwBvh>,
+    /// What the hierarchy's coordinates are over those of the world, a power of two ([`own_scale`]).
+    scale: f32,
     /// World space corners, in the hierarchy's order.
     corners: Vec<[Vec3A; 3]>,
     /// Which triangle of the scene each is.
@@ -87,6 +89,7 @@ impl<'a> Geometry<'a> {
             return Ok(Self {
                 scene,
                 hierarchy: None,
+                scale: 1.0,
                 corners,
                 sources,
             });
@@ -96,14 +99,15 @@ impl<'a> Geometry<'a> {
             .iter()
             .flatten()
             .fold(0.0, |reach: f32, p| reach.max(p.abs().max_element()));
+        let scale = own_scale(reach);
         let pad = Vec3A::splat(reach * 1e-6);
         let bounds: Vec<Bounds> = corners
             .iter()
             .map(|corners| {
                 let tight = Aabb::from_points(corners);
                 Bounds(Aabb {
-                    min: tight.min - pad,
-                    max: tight.max + pad,
+                    min: (tight.min - pad) * scale,
+                    max: (tight.max + pad) * scale,
                 })
             })
             .collect();
@@ -118,6 +122,7 @@ impl<'a> Geometry<'a> {
         Ok(Self {
             scene,
             hierarchy: Some(hierarchy),
+            scale,
             corners,
             sources,
         })
@@ -138,10 +143,10 @@ impl<'a> Geometry<'a> {
         let mut nearest = RayHit::none();
         // + 0 turns -0 into 0: the slab test takes the sign of a component once by comparison and once from
         // its reciprocal, and for -0 the two differ.
-        let ray = Ray::new_inf(origin, direction + Vec3A::ZERO);
+        let ray = Ray::new_inf(origin * self.scale, direction + Vec3A::ZERO);
         let found = hierarchy.ray_traverse(ray, &mut nearest, |_, id| {
             view.meet(&self.corners[id])
-                .map_or(f32::INFINITY, |(_, distance)| distance)
+                .map_or(f32::INFINITY, |(_, distance)| distance * self.scale)
         });
         if !found {
             return None;
@@ -188,6 +193,16 @@ impl<'a> Geometry<'a> {
             uv,
         }
     }
+}
+
+/// The power of two that brings `reach`, the largest coordinate, to 8..16.
+///
+/// The hierarchy is made for scenes of some metres: it misses boxes that end within 1e-4 of a ray's start, and
+/// where debug assertions are on it refuses what rounds by more than 1e-5. In coordinates of its own these are
+/// 1e-5 and 1e-6 of the scene whatever its size.
+fn own_scale(reach: f32) -> f32 {
+    let exponent = (3.0 - reach.log2().floor()).clamp(-126.0, 126.0);
+    exponent.exp2()
 }
 
 /// A ray's own coordinates: x and y across it, z along.
