@@ -88,6 +88,56 @@ impl Table {
     }
 }
 
+/// How much more than what is measured an entry may permit.
+pub const SLACK: f64 = 4.0;
+
+impl Table {
+    /// What is wrong with the table, given the worst error of each routine in scalar f32, in units: an entry
+    /// that permits less than is measured, one that permits more than [`SLACK`] times as much, or an exception
+    /// that the default covers. Entries for other number types are upper bounds alone, so that other hardware
+    /// and other libraries stay green; but they too have to exceed the default.
+    pub fn complaints(&self, measured: &BTreeMap<&str, f64>) -> Vec<String> {
+        let mut complaints = Vec::new();
+        let mut judge = |what: &str, permitted: f64, measured: f64| {
+            if measured > permitted {
+                complaints.push(format!(
+                    "{what} errs by {measured:.1} units, {permitted} permitted"
+                ));
+            }
+            if permitted > SLACK * measured {
+                complaints.push(format!(
+                    "{what} errs by {measured:.1} units, {permitted} permitted: that is loose"
+                ));
+            }
+        };
+        let mut rest = ("the default, by `nothing`".to_string(), 0.0);
+        for (routine, error) in measured {
+            match self.exception(routine, Number::F32) {
+                Some(permitted) => judge(&format!("`{routine}`"), permitted, *error),
+                None if *error > rest.1 => rest = (format!("the default, by `{routine}`"), *error),
+                None => {}
+            }
+        }
+        judge(&rest.0, self.default(Number::F32), rest.1);
+        for (routine, exception) in &self.exceptions {
+            for number in [Number::F64, Number::F32, Number::Gpu] {
+                let default = self.default(number);
+                let permitted = number.of(&exception.permitted);
+                let needless = match number {
+                    Number::F32 => measured
+                        .get(routine.as_str())
+                        .is_some_and(|m| *m <= default),
+                    _ => permitted.is_some_and(|permitted| permitted <= default),
+                };
+                if permitted.is_some() && needless {
+                    complaints.push(format!("`{routine}` needs no exception in {number:?}"));
+                }
+            }
+        }
+        complaints
+    }
+}
+
 /// The largest error of `got` against `want`, in units of `number` times `scale`. NaN counts as infinite.
 pub fn error(got: &[f64], want: &[f64], number: Number, scale: f64) -> f64 {
     assert_eq!(got.len(), want.len());
@@ -99,4 +149,24 @@ pub fn error(got: &[f64], want: &[f64], number: Number, scale: f64) -> f64 {
             worst.max(e)
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tight_loose_and_needless_entries_are_told() {
+        let table: Table = toml::from_str(
+            "default = { f64 = 10, f32 = 10, gpu = 10 }\n[a]\nf32 = 40\ngpu = 40\nreason = \"r\"",
+        )
+        .unwrap();
+        let complaints = |a: f64, b: f64| table.complaints(&BTreeMap::from([("a", a), ("b", b)]));
+        assert!(complaints(30.0, 9.0).is_empty());
+        assert!(complaints(41.0, 9.0)[0].starts_with("`a` errs by 41.0"));
+        assert!(complaints(9.9, 9.0)[0].ends_with("loose"));
+        assert!(complaints(9.9, 9.0)[1].contains("needs no exception"));
+        assert!(complaints(30.0, 11.0)[0].starts_with("the default, by `b`"));
+        assert!(complaints(30.0, 2.0)[0].ends_with("loose"));
+    }
 }

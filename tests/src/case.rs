@@ -104,14 +104,25 @@ pub fn arguments(routine: &Routine, order: usize, random: &mut Random, i: usize)
         .collect()
 }
 
-/// The product of the norms of all arguments that are SH vectors, zonal vectors or matrices.
+/// Whether a shape holds coefficients, which may be of any size, and no angle, direction or factor.
+pub fn is_vector(shape: Shape) -> bool {
+    matches!(shape, Shape::Vector | Shape::Zonal | Shape::Triangle)
+}
+
+/// The product of the norms of all arguments that are SH vectors, zonal vectors or matrices; a square has its
+/// argument twice.
 pub fn scale(routine: &Routine, arguments: &[Vec<f64>]) -> f64 {
     let norm = |v: &Vec<f64>| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-    routine
+    let product: f64 = routine
         .arguments
         .iter()
         .zip(arguments)
-        .filter(|((_, shape), _)| matches!(shape, Shape::Vector | Shape::Zonal | Shape::Triangle))
+        .filter(|((_, shape), _)| is_vector(*shape))
         .map(|(_, v)| norm(v))
-        .product()
+        .product();
+    if routine.name == "square" {
+        product * product
+    } else {
+        product
+    }
 }

@@ -3,6 +3,7 @@
 pub mod accuracy;
 pub mod call;
 pub mod case;
+pub mod promises;
 pub mod truth;
 
 /// The README's Rust compiles and runs.

@@ -5,7 +5,8 @@ use crate::scenes::{Numbers, standing_quad, view};
 use sh_gpu::Renderer;
 use sh_scene::{Plan, Scene, View};
 
-fn render(gpu: &Gpu, scene: &Scene, view: &View, max_samples: u32) -> Vec<[f32; 4]> {
+/// The picture of a scene under the light of a counter.
+pub fn render(gpu: &Gpu, scene: &Scene, view: &View, max_samples: u32) -> Vec<[f32; 4]> {
     let plan = Plan::new(scene);
     let renderer =
         Renderer::with_bands(&gpu.device, &gpu.queue, scene, &plan, view, max_samples).unwrap();

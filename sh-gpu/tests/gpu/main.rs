@@ -4,9 +4,13 @@
 mod frame;
 mod gbuffer;
 mod gpu;
+mod hard_cases;
+mod hard_scenes;
 mod host;
 mod scenes;
 mod shading;
+#[path = "../../../tests/shared/shading_cases/mod.rs"]
+mod shading_cases;
 mod truth;
 
 use gpu::Gpu;
@@ -67,10 +71,27 @@ const TESTS: &[Test] = &[
         frame::a_steady_frame_creates_nothing,
     ),
     (
+        "hard_scenes::triangles_without_area_change_no_pixel",
+        hard_scenes::triangles_without_area_change_no_pixel,
+    ),
+    (
+        "hard_scenes::normals_without_length_give_a_picture",
+        hard_scenes::normals_without_length_give_a_picture,
+    ),
+    (
+        "hard_scenes::scenes_of_any_size_look_the_same",
+        hard_scenes::scenes_of_any_size_look_the_same,
+    ),
+    (
         "frame::timestamps_tell_every_pass",
         frame::timestamps_tell_every_pass,
     ),
 ];
+
+/// All tests, the hard cases after the others.
+fn tests() -> impl Iterator<Item = &'static Test> {
+    TESTS.iter().chain(hard_cases::TESTS)
+}
 
 fn main() {
     // One at a time: what the device holds and complains of is counted for each test.
@@ -89,7 +110,7 @@ fn main() {
                     gpu.errors()
                 })
             };
-            TESTS.iter().map(trial).collect()
+            tests().map(trial).collect()
         }
         Err(reason) => {
             let trial = |&(name, _): &Test| {
@@ -101,7 +122,7 @@ fn main() {
             if !required {
                 eprintln!("ignoring all GPU tests: {reason}");
             }
-            TESTS.iter().map(trial).collect()
+            tests().map(trial).collect()
         }
     };
     libtest_mimic::run(&arguments, trials).exit();
