@@ -11,9 +11,9 @@
 //! give the function at all eight points (±a, ±b, ±c) by sums and differences alone (a butterfly), and the same
 //! backwards. A coordinate that is 0 halves the points and the classes.
 
+use crate::basis::basis;
 use crate::exact::band;
 use crate::expr::{Graph, Value};
-use crate::routines;
 
 /// An orbit by one of its points.
 #[derive(Clone, Copy)]
@@ -166,6 +166,14 @@ fn parity(index: usize) -> usize {
     ((k + y) % 2) | (y << 1) | (((l + k) % 2) << 2)
 }
 
+/// The basis functions at a direction that is handed in.
+fn at_direction(order: usize) -> Graph {
+    let mut g = Graph::default();
+    let d = g.inputs(0, 3);
+    g.outputs = basis(&mut g, order, &d);
+    g
+}
+
 /// f ↦ Σ_q w_q h(f(s_q)) y(s_q), band l times `gains[l]`: to the samples of a rule, a function of each, and back.
 pub fn pointwise(
     g: &mut Graph,
@@ -175,9 +183,7 @@ pub fn pointwise(
     f: &[Value],
     mut h: impl FnMut(&mut Graph, Value) -> Value,
 ) -> Vec<Value> {
-    let basis = routines::find("basis")
-        .expect("the basis is a routine")
-        .graph(order);
+    let basis = at_direction(order);
     let mut out = vec![g.constant(0.0); order * order];
     for Octant { point, weight } in octants(points) {
         let axes: Vec<usize> = (0..3).filter(|axis| point[*axis] != 0.0).collect();
@@ -294,7 +300,7 @@ mod tests {
         let f = g.inputs(0, 16);
         g.outputs = pointwise(&mut g, order, count, &[1.0; 4], &f, |g, v| g.mul(v, v));
         let values: Vec<f64> = (0..16).map(|i| (1.0 + i as f64).sin()).collect();
-        let basis = routines::find("basis").unwrap().graph(order);
+        let basis = at_direction(order);
         let mut sum = [0.0; 16];
         for (point, weight) in points(count) {
             let y = basis.evaluate(&[&point]);

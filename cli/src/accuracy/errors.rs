@@ -2,6 +2,7 @@
 
 use super::methods::{Logarithm, Method, all};
 use super::operations::{Operations, of_method};
+use super::sets::{HEAVY_SETS, RANDOM_SETS, Sets};
 use super::times::Times;
 use super::{Row, times};
 use crate::exponential::Exponential;
@@ -13,20 +14,6 @@ use sh_core::log::{CLIP, Logarithm as Eigen, clipped_samples};
 use sh_core::{ROOT_FOUR_PI, Routines};
 use sh_reference::quadrature::Rule;
 use sh_reference::visibility::Cap;
-use sh_reference::{arcs, blockers};
-use std::array::from_fn;
-
-/// Random sets of separate blockers.
-pub const RANDOM_SETS: usize = 1000;
-
-/// Sets of blockers that nearly coincide.
-const HEAVY_SETS: usize = 200;
-
-/// Angular radius of identical blockers, degrees.
-const STACKED: f64 = 40.0;
-
-/// Seed of the sets; other than that of the fits.
-const SEED: u64 = 99;
 
 /// Random sets that the exact exponential is taken of.
 const EXACT_SETS: usize = 100;
@@ -34,42 +21,6 @@ const EXACT_SETS: usize = 100;
 /// Degree of the rule for the exact exponential of a band-limited function, of which the largest here changes by
 /// less than 1e-6 with a finer one.
 const EXACT_DEGREE: usize = 80;
-
-/// The sets of blockers and the true visibility behind them.
-pub struct Sets {
-    caps: Vec<Vec<Cap>>,
-    truth: Vec<Vec<f64>>,
-}
-
-/// 1,000 random sets, 200 heavy ones and 13 stacks, with their truth at the highest order.
-impl Sets {
-    fn new() -> Self {
-        let caps: Vec<Vec<Cap>> = [
-            blockers::random(SEED, RANDOM_SETS),
-            blockers::heavy(SEED, HEAVY_SETS),
-            (0..=12)
-                .flat_map(|k| blockers::stacked(STACKED.to_radians(), 1 << k))
-                .collect(),
-        ]
-        .concat();
-        let truth = caps
-            .par_iter()
-            .map(|caps| arcs::project(6, caps).coefficients)
-            .collect();
-        Self { caps, truth }
-    }
-
-    /// Blockers a random set has on average.
-    pub fn mean_blockers(&self) -> f64 {
-        let count: usize = self.caps[..RANDOM_SETS].iter().map(Vec::len).sum();
-        count as f64 / RANDOM_SETS as f64
-    }
-
-    /// The random sets.
-    pub fn random(&self) -> &[Vec<Cap>] {
-        &self.caps[..RANDOM_SETS]
-    }
-}
 
 /// A zonal function of the angular radius at every tenth of a degree up to 60, interpolated between.
 struct Table(Vec<Vec<f64>>);
@@ -178,7 +129,7 @@ where
     [f32; C]: Routines<f32>,
     for<'a> Times<'a>: times::Measure<C>,
 {
-    let sets = Sets::new();
+    let sets = Sets::standard();
     let sums = Sums {
         sets: &sets,
         eigen: Table::new(eigen_log::<C>),
@@ -310,22 +261,4 @@ fn worst(values: impl Iterator<Item = f64>) -> f64 {
             worst.max(v)
         }
     })
-}
-
-/// One log vector a random set, for timing.
-pub(super) fn logs<const C: usize>(sets: &Sets, fit: Fit) -> Vec<[f32; C]>
-where
-    [f64; C]: Routines<f64>,
-{
-    sets.random()
-        .iter()
-        .map(|caps| {
-            let mut sum = [0.0; C];
-            for cap in caps {
-                let turned = <[f64; C]>::zonal(cap::log_fitted_to::<C>(fit, cap.angle), cap.axis);
-                sum.iter_mut().zip(turned).for_each(|(s, t)| *s += t);
-            }
-            from_fn(|i| sum[i] as f32)
-        })
-        .collect()
 }

@@ -6,8 +6,8 @@
 use crate::exponential::Exponential;
 use fearless_simd::Simd;
 use sh_codegen::sampled::Fineness;
+use sh_core::Routines;
 use sh_core::exp::{self, Calls};
-use sh_core::{Lane, Routines};
 use sh_cpu::lanes::Lanes8;
 
 /// Receivers side by side.
@@ -149,6 +149,5 @@ pub fn blocker<S: Simd>(simd: S, of: impl Fn(usize) -> Blockers<f32>) -> Blocker
 
 /// Nothing summed yet.
 pub fn nothing<S: Simd, const C: usize>(simd: S) -> [Lanes8<S>; C] {
-    let zero = Lanes8::splat(simd, 0.0);
-    [zero.lift(0.0); C]
+    [Lanes8::splat(simd, 0.0); C]
 }

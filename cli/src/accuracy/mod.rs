@@ -17,6 +17,7 @@ pub mod operations;
 pub mod page;
 pub mod pareto;
 pub mod pictures;
+mod sets;
 pub mod table;
 pub mod times;
 

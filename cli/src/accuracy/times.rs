@@ -3,9 +3,9 @@
 //! The smallest of several runs counts: other work on the machine only ever adds. Lanes are those of AVX2, where
 //! the processor has it.
 
-use super::errors::{Sets, logs};
 use super::lanes::{self, Blockers};
 use super::methods::Method;
+use super::sets::{Sets, logs};
 use crate::exponential::Exponential;
 use sh_core::Routines;
 use sh_core::exp::{Calls, Outlined};
