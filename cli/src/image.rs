@@ -118,12 +118,15 @@ enum Kind {
     Exr,
 }
 
+/// The ending of a file's name, in small letters.
+pub(crate) fn ending(path: &Path) -> Option<String> {
+    let ending = path.extension()?;
+    Some(ending.to_string_lossy().to_ascii_lowercase())
+}
+
 impl Kind {
     fn of(path: &Path) -> Result<Self, Error> {
-        let ending = path
-            .extension()
-            .map(|e| e.to_string_lossy().to_ascii_lowercase());
-        match ending.as_deref() {
+        match ending(path).as_deref() {
             Some("png") => Ok(Self::Png),
             Some("exr") => Ok(Self::Exr),
             _ => Err(Error::Usage(format!(

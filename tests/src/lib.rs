@@ -6,6 +6,18 @@ pub mod case;
 pub mod promises;
 pub mod truth;
 
+/// Runs a function that is generic over the number of coefficients at every order.
+#[macro_export]
+macro_rules! every_order {
+    ($f:ident) => {
+        $f::<4>();
+        $f::<9>();
+        $f::<16>();
+        $f::<25>();
+        $f::<36>();
+    };
+}
+
 /// The README's Rust compiles and runs.
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]

@@ -4,6 +4,7 @@ use sh_core::exp::Outlined;
 use sh_core::log::Logarithm;
 use sh_core::{ROOT_FOUR_PI, Routines, cap, exp, project};
 use sh_reference as reference;
+use sh_tests::every_order;
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter()
@@ -11,17 +12,6 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
         .map(|(a, b)| (a - b).powi(2))
         .sum::<f64>()
         .sqrt()
-}
-
-/// Runs a generic function at every order.
-macro_rules! every_order {
-    ($f:ident) => {
-        $f::<4>();
-        $f::<9>();
-        $f::<16>();
-        $f::<25>();
-        $f::<36>();
-    };
 }
 
 #[test]

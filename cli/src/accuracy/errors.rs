@@ -123,15 +123,17 @@ struct Evaluation<const C: usize> {
 }
 
 /// Adds the rows of all methods that accumulate in the order of `C` coefficients.
-pub(super) fn order<const C: usize>(rows: &mut Vec<Row>, progress: &(dyn Fn(f32) + Sync))
-where
+pub(super) fn order<const C: usize>(
+    sets: &Sets,
+    rows: &mut Vec<Row>,
+    progress: &(dyn Fn(f32) + Sync),
+) where
     [f64; C]: Eigen,
     [f32; C]: Routines<f32>,
     for<'a> Times<'a>: times::Measure<C>,
 {
-    let sets = Sets::standard();
     let sums = Sums {
-        sets: &sets,
+        sets,
         eigen: Table::new(eigen_log::<C>),
         samples: Table::new(|angle| {
             let zonal = clipped_samples::<C>(cap::visibility::<C>(angle), CLIP);
@@ -141,7 +143,7 @@ where
     progress(0.1);
     let accumulation = <[f64; C]>::ORDER;
     let methods = all();
-    let mut times = Times::new(&sets);
+    let mut times = Times::new(sets);
     for (i, method) in methods.iter().enumerate() {
         let Evaluation {
             visibility,

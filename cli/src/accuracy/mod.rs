@@ -140,12 +140,13 @@ pub fn run(options: &Options) -> Result<String, Error> {
 
 /// All rows of the methods.
 pub fn rows(progress: &(dyn Fn(f32) + Sync)) -> Vec<Row> {
+    let sets = sets::Sets::standard();
     let mut rows = Vec::new();
-    errors::order::<4>(&mut rows, &|part| progress(0.05 * part));
-    errors::order::<9>(&mut rows, &|part| progress(0.05 + 0.1 * part));
-    errors::order::<16>(&mut rows, &|part| progress(0.15 + 0.15 * part));
-    errors::order::<25>(&mut rows, &|part| progress(0.3 + 0.25 * part));
-    errors::order::<36>(&mut rows, &|part| progress(0.55 + 0.45 * part));
+    errors::order::<4>(&sets, &mut rows, &|part| progress(0.05 * part));
+    errors::order::<9>(&sets, &mut rows, &|part| progress(0.05 + 0.1 * part));
+    errors::order::<16>(&sets, &mut rows, &|part| progress(0.15 + 0.15 * part));
+    errors::order::<25>(&sets, &mut rows, &|part| progress(0.3 + 0.25 * part));
+    errors::order::<36>(&sets, &mut rows, &|part| progress(0.55 + 0.45 * part));
     rows.sort_by_key(|row| row.order);
     rows
 }

@@ -47,17 +47,7 @@ pub fn text(rows: &[Row]) -> String {
             let (method, row) = (&methods[i], methods[i].row());
             let star = if best.contains(&i) { '*' } else { ' ' };
             line(&mut text, format_args!("{star} {:<wide$}", names[i]));
-            for value in [
-                row.mean,
-                row.p95,
-                row.max,
-                row.heavy,
-                row.stacked,
-                method.rounding(),
-                row.mul,
-                row.add,
-                row.exp,
-            ] {
+            for value in figures(method).into_iter().chain([row.exp]) {
                 line(&mut text, format_args!("{:>10}", short(value)));
             }
             for backend in ["lanes", "scalar", "gpu"] {
@@ -73,6 +63,21 @@ pub fn text(rows: &[Row]) -> String {
                  rounding: the largest difference between f32 and f64. Operations and nanoseconds are a receiver's.\n";
     }
     text
+}
+
+/// What both tables say of a method: errors, rounding and operations, in the order of their columns.
+fn figures(method: &Method<'_>) -> [f64; 8] {
+    let row = method.row();
+    [
+        row.mean,
+        row.p95,
+        row.max,
+        row.heavy,
+        row.stacked,
+        method.rounding(),
+        row.mul,
+        row.add,
+    ]
 }
 
 /// For each order from 3 up: the methods that no other beats, and the published ones, each with the logarithm
@@ -106,7 +111,7 @@ pub fn markdown(rows: &[Row]) -> String {
             format_args!("\n|---|---|{}\n", "---:|".repeat(8 + timed.len())),
         );
         for i in shown {
-            let (method, row) = (&methods[i], methods[i].row());
+            let method = &methods[i];
             let star = if best.contains(&i) { "★" } else { "" };
             // A star of a name would begin emphasis.
             let name = method.label().replace('*', "\\*");
@@ -116,16 +121,7 @@ pub fn markdown(rows: &[Row]) -> String {
                 name
             };
             line(&mut text, format_args!("| {star} | {name} |"));
-            for value in [
-                row.mean,
-                row.p95,
-                row.max,
-                row.heavy,
-                row.stacked,
-                method.rounding(),
-                row.mul,
-                row.add,
-            ] {
+            for value in figures(method) {
                 line(&mut text, format_args!(" {} |", short(value)));
             }
             for backend in &timed {

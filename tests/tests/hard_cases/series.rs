@@ -6,6 +6,7 @@ use crate::blockers::{lattice, norm};
 use sh_core::exp::{self, Outlined};
 use sh_core::{Lane, ROOT_FOUR_PI, Routines};
 use sh_reference as reference;
+use sh_tests::every_order;
 
 /// Norms that errors are promised for, and methods with what they promise: beyond the last number, nothing.
 const NORMS: [f64; 4] = [0.5, 2.0, 4.0, 16.0];
@@ -50,16 +51,6 @@ where
         .fold(0.0, f64::max);
     f[0] = -largest * ROOT_FOUR_PI;
     f
-}
-
-macro_rules! every_order {
-    ($f:ident) => {
-        $f::<4>();
-        $f::<9>();
-        $f::<16>();
-        $f::<25>();
-        $f::<36>();
-    };
 }
 
 #[test]

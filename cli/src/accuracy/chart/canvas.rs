@@ -327,10 +327,7 @@ enum Kind {
 
 impl Kind {
     fn of(path: &Path) -> Result<Self, Error> {
-        let ending = path
-            .extension()
-            .map(|e| e.to_string_lossy().to_ascii_lowercase());
-        match ending.as_deref() {
+        match crate::image::ending(path).as_deref() {
             Some("svg") => Ok(Self::Svg),
             Some("png") => Ok(Self::Png),
             _ => Err(Error::Usage(format!(
