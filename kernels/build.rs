@@ -6,7 +6,7 @@ mod link;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-const PASSES: [&str; 4] = ["gbuffer", "irradiance", "shadow", "resolve"];
+const PASSES: [&str; 5] = ["gbuffer", "irradiance", "shadow", "upsample", "resolve"];
 
 const ORDERS: std::ops::RangeInclusive<usize> = 2..=6;
 

@@ -1,10 +1,11 @@
 // G-buffer: position, normal and albedo where the camera's rays first meet a surface. Bodies are rasterised
-// with one fragment a sample, the infinite ground plane is drawn by a triangle that covers the band, and
+// with one fragment a ray, the infinite ground plane is drawn by a triangle that covers the band, and
 // `pack` turns both textures into the buffers that the other passes read. Twin of sh_cpu's `gbuffer`.
 
 #import shared/records
 #import shared/invocation
 #import shared/band
+#import shared/tiles
 #import shared/octahedral
 
 // One body: where it stands and how it reflects.
@@ -114,8 +115,9 @@ const HORIZON: f32 = 1e-7;
 // The object index of the ground.
 const GROUND: u32 = 0xffffffffu;
 
-@group(0) @binding(0) var places: texture_2d<u32>;
-@group(0) @binding(1) var surfaces: texture_2d<u32>;
+@group(0) @binding(1) var places: texture_2d<u32>;
+@group(0) @binding(2) var surfaces: texture_2d<u32>;
+// Tile by tile; what lies beyond the grid is not covered.
 @group(1) @binding(0) var<storage, read_write> receivers: array<Receiver>;
 @group(1) @binding(1) var<storage, read_write> albedos: array<vec4f>;
 
@@ -129,9 +131,11 @@ fn pack(
     if (index >= arrayLength(&receivers)) {
         return;
     }
-    let columns = textureDimensions(places).x;
-    let cell = vec2u(index % columns, index / columns);
-    let surface = textureLoad(surfaces, cell, 0);
+    let cell = tile_cell(index, tiles_across(band.columns));
+    var surface = vec4u(0u);
+    if (cell.x < band.columns && cell.y < band.rows) {
+        surface = textureLoad(surfaces, cell, 0);
+    }
     if (surface.w == 0u) {
         receivers[index] = Receiver();
         albedos[index] = vec4f(0.0);

@@ -1,12 +1,14 @@
-// Irradiance: environment light without blockers, for every receiver: the light's SH vector dotted with
-// the cosine lobe (Ren et al. 2006, equation 9). Twin of sh_cpu's `irradiance`.
+// Irradiance: light without blockers, for every receiver: the environment's SH vector and that of every analytic
+// light, dotted with the cosine lobe (Ren et al. 2006, equation 9). Twin of sh_cpu's `irradiance`.
 
 #import shared/records
 #import shared/invocation
 #import shared/light
+#import shared/emitted
 #import library
 
 @group(0) @binding(0) var<uniform> lighting: Lighting;
+@group(0) @binding(1) var<storage, read> emitters: array<Emitter>;
 @group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
 // Radiance reflected by albedo 1: red, green, blue, 0.
 @group(1) @binding(1) var<storage, read_write> radiance: array<vec4f>;
@@ -24,7 +26,8 @@ fn irradiance(
     let receiver = receivers[index];
     var result = vec3f(0.0);
     if (receiver.covered != 0u) {
-        result = max(reflected(sh$N_cosine(receiver.normal)), vec3f(0.0));
+        let lobe = sh$N_cosine(receiver.normal);
+        result = max(reflected(lobe), vec3f(0.0)) + emitted(lobe, lobe, receiver.position);
     }
     radiance[index] = vec4f(result, 0.0);
 }

@@ -4,10 +4,12 @@
 #import shared/records
 #import shared/invocation
 #import shared/band
+#import shared/tiles
 #import shared/environment
 
 @group(0) @binding(0) var<uniform> band: Band;
 @group(0) @binding(1) var environment: texture_2d<f32>;
+// This band's samples, tile by tile.
 @group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
 @group(1) @binding(1) var<storage, read> albedo: array<vec4f>;
 @group(1) @binding(2) var<storage, read> radiance: array<vec4f>;
@@ -24,13 +26,13 @@ fn resolve(
     if (index >= arrayLength(&picture)) {
         return;
     }
-    let width = band.grid.x / OVERSAMPLE;
+    let width = band.columns / OVERSAMPLE;
     let pixel = vec2u(index % width, index / width);
     var sum = vec4f(0.0);
     for (var y = 0u; y < OVERSAMPLE; y += 1u) {
         for (var x = 0u; x < OVERSAMPLE; x += 1u) {
             let place = pixel * OVERSAMPLE + vec2u(x, y);
-            let receiver = place.y * band.grid.x + place.x;
+            let receiver = tile_index(place.x, place.y, tiles_across(band.columns));
             if (receivers[receiver].covered != 0u) {
                 sum += vec4f(albedo[receiver].rgb * radiance[receiver].rgb, 1.0);
             } else {

@@ -2,6 +2,12 @@
 //!
 //! The passes of `sh-gpu` leave all of this to their host; here the host is this program.
 
+mod shadows;
+mod stamps;
+
+pub use shadows::{Clock, Shadows};
+pub use stamps::Stamps;
+
 use crate::Error;
 use std::sync::{Arc, Mutex, PoisonError};
 use wgpu::{Buffer, BufferUsages, CommandEncoder, Device, DeviceType, Features, Queue};

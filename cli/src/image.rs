@@ -38,7 +38,7 @@ const BLEACH: f32 = 0.15;
 ///
 /// ```
 /// use sh_scene::Light;
-/// let gray = Light { order: 2, coefficients: vec![[3.5449077; 3], [0.0; 3], [0.0; 3], [0.0; 3]] };
+/// let gray = Light { order: 2, coefficients: vec![[3.5449077; 3], [0.0; 3], [0.0; 3], [0.0; 3]], emitters: vec![] };
 /// assert!((gaunt::image::exposure(&gray) - 0.45).abs() < 1e-6);
 /// ```
 pub fn exposure(light: &Light) -> f32 {

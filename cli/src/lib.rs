@@ -7,9 +7,12 @@
 //! | `gaunt project` | [`project`] |
 //! | `gaunt ops` | [`ops`] |
 //! | `gaunt fit` | [`fit`] |
+//! | `gaunt bench` | [`bench`] |
+//! | `gaunt spheres` | [`spheres`] |
 //! | `gaunt accuracy` | [`accuracy`], on the exponentials of [`exponential`] |
 
 pub mod accuracy;
+pub mod bench;
 mod error;
 pub mod eval;
 pub mod exponential;
@@ -21,5 +24,6 @@ pub mod progress;
 pub mod project;
 pub mod render;
 pub mod report;
+pub mod spheres;
 
 pub use error::Error;

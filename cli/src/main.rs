@@ -1,8 +1,9 @@
 //! The program: arguments and dispatch.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use gaunt::render::{Backend, Options, Overrides};
-use gaunt::{Error, accuracy, eval, fit, ops, project, render};
+use gaunt::render::{Backend, Frames, Options, Overrides, frame_numbers, frame_rate};
+use gaunt::{Error, accuracy, bench, eval, fit, ops, project, render, spheres};
+use sh_bake::Cache;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -19,7 +20,7 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Render a scene to a PNG or EXR file
+    /// Render a scene to a PNG or EXR file, or its motion to one for each frame
     ///
     /// Prints where the picture is, the plan (which passes run and why) and the time that each stage took.
     Render(Render),
@@ -76,6 +77,37 @@ enum Command {
         #[arg(long, value_name = "FILE.md")]
         page: Option<PathBuf>,
     },
+    /// Time moving scenes: every stage of a frame, against one lane on one thread and against the machine's peak
+    ///
+    /// The scenes are made by code at the scale of Ren et al. 2006. On a shared machine trust the ratios.
+    Bench {
+        /// What to time
+        #[arg(value_enum)]
+        bench: bench::Bench,
+        /// What shades; auto takes a GPU if there is one
+        #[arg(long, value_enum, default_value_t = Backend::Cpu)]
+        backend: Backend,
+        /// Print JSON instead of tables
+        #[arg(long)]
+        json: bool,
+        /// Draw the comparison with rays to this file, .svg or .png
+        #[arg(long, value_name = "FILE")]
+        plot: Option<PathBuf>,
+    },
+    /// Fit spheres to meshes, and measure how tight they are beside simpler sets
+    ///
+    /// Prints a table: the volume of the spheres outside the mesh over the mesh's volume, for the fit that shadows use,
+    /// for the leaves of an octree and for plain clustering. All are measured by the same exact sum.
+    Spheres {
+        /// Mesh files; without one, a box and a torus knot made by code
+        meshes: Vec<PathBuf>,
+        /// Numbers of spheres
+        #[arg(long, value_delimiter = ',', default_value = "8,16,32,64,128", value_parser = clap::value_parser!(u16).range(1..=4096))]
+        counts: Vec<u16>,
+        /// Write all rows to this file, too
+        #[arg(long, value_name = "FILE.json")]
+        json: Option<PathBuf>,
+    },
     /// Refit all fitted constants of the library and write them as data files
     Fit {
         /// The folder for the files
@@ -86,11 +118,23 @@ enum Command {
 
 #[derive(Args)]
 struct Render {
-    /// A scene in TOML; without one, the built-in scene
+    /// A scene in TOML, or a mesh file; without one, the built-in scene
     scene: Option<PathBuf>,
-    /// The picture: .png (for a screen) or .exr (linear radiance)
+    /// The picture: .png (for a screen) or .exr (linear radiance); with --frames its name has a %d or %04d in it
     #[arg(short, long, default_value = "gaunt.png")]
     out: PathBuf,
+    /// Render these frames of the scene's motion, a file each: 0..60 is frames 0 to 59
+    ///
+    /// Every frame is the same whether others are rendered or not. A mesh file given without --clip plays its
+    /// first clip.
+    #[arg(long, value_name = "A..B", value_parser = frame_numbers)]
+    frames: Option<std::ops::Range<u32>>,
+    /// Frames that make a second of motion
+    #[arg(long, value_name = "RATE", default_value_t = 30.0, value_parser = frame_rate)]
+    fps: f64,
+    /// The clip that a mesh file plays: its name, or its number from 0; scene files say it for each object
+    #[arg(long, value_name = "NAME")]
+    clip: Option<String>,
     /// What computes; auto takes a GPU if there is one, and the CPU otherwise
     #[arg(long, value_enum, default_value_t = Backend::Auto)]
     backend: Backend,
@@ -114,6 +158,9 @@ struct Render {
     /// Whether shadows are cast, instead of what the scene says
     #[arg(long, value_enum)]
     shadows: Option<Switch>,
+    /// Whether shadows are computed at half the picture's resolution, instead of what the scene or the quality says
+    #[arg(long, value_enum)]
+    half_resolution: Option<Switch>,
     /// Brighter or darker by so many stops (PNG only)
     #[arg(long, default_value_t = 0.0, allow_negative_numbers = true, value_parser = stops)]
     exposure: f32,
@@ -126,6 +173,12 @@ struct Render {
 enum Switch {
     On,
     Off,
+}
+
+impl Switch {
+    fn on(self) -> bool {
+        matches!(self, Self::On)
+    }
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -214,21 +267,34 @@ fn main() -> ExitCode {
 
 fn run(command: Option<Command>) -> Result<(), Error> {
     match command {
-        None => say(&render::render(&Options::default())?.to_string()),
+        None => {
+            let options = Options {
+                cache: Cache::of_user(),
+                ..Options::default()
+            };
+            say(&render::render(&options)?.to_string())
+        }
         Some(Command::Render(args)) => {
             let options = Options {
                 scene: args.scene,
                 out: args.out,
+                frames: args.frames.map(|numbers| Frames {
+                    numbers,
+                    rate: args.fps,
+                }),
+                clip: args.clip,
                 backend: args.backend,
                 size: args.size,
                 settings: Overrides {
                     quality: args.quality.map(Into::into),
                     order: args.order,
                     accumulation: args.accumulation,
-                    shadows: args.shadows.map(|switch| matches!(switch, Switch::On)),
+                    shadows: args.shadows.map(Switch::on),
+                    half_resolution: args.half_resolution.map(Switch::on),
                 },
                 stops: args.exposure,
                 report: args.json,
+                cache: Cache::of_user(),
             };
             say(&render::render(&options)?.to_string())
         }
@@ -264,6 +330,32 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         Some(Command::Accuracy { json, plot, page }) => {
             let options = accuracy::Options { json, plot, page };
             say(&accuracy::run(&options)?)
+        }
+        Some(Command::Bench {
+            bench,
+            backend,
+            json,
+            plot,
+        }) => {
+            let options = bench::Options {
+                bench,
+                backend,
+                json,
+                plot,
+            };
+            say(&bench::run(&options)?)
+        }
+        Some(Command::Spheres {
+            meshes,
+            counts,
+            json,
+        }) => {
+            let options = spheres::Options {
+                meshes,
+                counts: counts.into_iter().map(usize::from).collect(),
+                json,
+            };
+            say(&spheres::run(&options)?)
         }
         Some(Command::Fit { out }) => say(&fit::write(&out)?),
     }

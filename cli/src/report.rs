@@ -67,8 +67,11 @@ pub struct Body {
     pub triangles: usize,
     /// Spheres.
     pub spheres: usize,
-    /// The volume of the spheres outside the mesh over the mesh's volume; none for an open mesh.
+    /// The volume of the spheres outside the mesh over the mesh's volume; where the mesh is open, over that of what
+    /// it encloses by more than half, or none.
     pub outside_volume_ratio: Option<f32>,
+    /// Whether the spheres come from the cache.
+    pub cached: bool,
 }
 
 impl Body {
@@ -79,6 +82,7 @@ impl Body {
             triangles,
             spheres,
             outside_volume_ratio,
+            cached,
             ..
         } = fit.clone();
         Self {
@@ -86,19 +90,34 @@ impl Body {
             triangles,
             spheres,
             outside_volume_ratio,
+            cached,
         }
     }
+}
+
+/// Frames that were rendered.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Sequence {
+    /// The number of the first.
+    pub first: u32,
+    /// How many there are.
+    pub count: usize,
+    /// How many make a second of motion.
+    pub fps: f64,
 }
 
 /// How a picture came about.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
-    /// Where the picture is.
+    /// Where the picture is; for frames, the pattern of their names.
     pub picture: PathBuf,
     /// Pixels across.
     pub width: u32,
     /// Pixels down.
     pub height: u32,
+    /// Which frames were rendered; none for a single picture.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frames: Option<Sequence>,
     /// `cpu` or `gpu`.
     pub backend: &'static str,
     /// What computed.
@@ -113,11 +132,13 @@ pub struct Report {
     pub exposure: f32,
     /// The meshes; one that is used several times is listed once.
     pub objects: Vec<Body>,
+    /// What moves: sentences.
+    pub moves: Vec<String>,
     /// What was wrong with the files and has been put right: sentences.
     pub warnings: Vec<String>,
     /// The passes, in order.
     pub plan: Vec<Planned>,
-    /// The stages, in order.
+    /// The stages, in order, each over all frames.
     pub stages: Vec<Stage>,
     /// Seconds from beginning to end.
     pub seconds: f64,
@@ -126,17 +147,34 @@ pub struct Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (picture, width, height) = (self.picture.display(), self.width, self.height);
-        writeln!(
-            f,
-            "{picture}: {width} x {height} pixels, rendered by {}.",
-            self.device
-        )?;
+        let device = &self.device;
+        match self.frames {
+            None => writeln!(
+                f,
+                "{picture}: {width} x {height} pixels, rendered by {device}."
+            )?,
+            Some(Sequence { first, count, fps }) => {
+                let last = first as usize + count - 1;
+                let frames = if count == 1 { "frame" } else { "frames" };
+                writeln!(
+                    f,
+                    "{picture}: {count} {frames}, {first} to {last}, {fps} a second, {width} x {height} pixels each, \
+                     rendered by {device}."
+                )?;
+            }
+        }
         writeln!(f, "{}", self.reason)?;
         write!(f, "Light of SH order {}", self.order)?;
         if self.plan.iter().any(|planned| planned.pass == "shadow") {
             write!(f, ", shadows accumulated in order {}", self.accumulation)?;
         }
         writeln!(f, ".")?;
+        for sentence in &self.moves {
+            writeln!(f, "{sentence}")?;
+        }
+        if self.frames.is_some() && self.moves.is_empty() {
+            writeln!(f, "Nothing in the scene moves: all frames are alike.")?;
+        }
         for warning in &self.warnings {
             writeln!(f, "Note: {warning}")?;
         }
@@ -145,17 +183,22 @@ impl fmt::Display for Report {
             name,
             spheres,
             outside_volume_ratio,
+            cached,
             ..
         } in &self.objects
         {
             let ratio = outside_volume_ratio.map_or("open mesh".into(), |r| format!("{r:.3}"));
-            writeln!(f, "  {name:<20} {spheres:>4}   {ratio}")?;
+            let cached = if *cached { "   from the cache" } else { "" };
+            writeln!(f, "  {name:<20} {spheres:>4}   {ratio}{cached}")?;
         }
         writeln!(f, "\nPlan")?;
         for Planned { pass, reason } in &self.plan {
             writeln!(f, "  {pass:<12} {reason}")?;
         }
-        writeln!(f, "\nTime")?;
+        match self.frames {
+            None => writeln!(f, "\nTime")?,
+            Some(Sequence { count, .. }) => writeln!(f, "\nTime of all {count} frames")?,
+        }
         for Stage { stage, seconds } in &self.stages {
             writeln!(f, "  {stage:<12} {:>9.1} ms", seconds * 1e3)?;
         }

@@ -6,7 +6,7 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use serde_json::{Value, json};
 use std::process::Command;
 
-const TESTS: [(&str, fn()); 3] = [
+const TESTS: [(&str, fn()); 4] = [
     (
         "every_routine_is_that_of_double_precision",
         every_routine_is_that_of_double_precision,
@@ -16,6 +16,7 @@ const TESTS: [(&str, fn()); 3] = [
         "pictures_are_those_of_the_cpu",
         pictures_are_those_of_the_cpu,
     ),
+    ("frames_are_those_of_the_cpu", frames_are_those_of_the_cpu),
 ];
 
 fn main() {
@@ -125,16 +126,47 @@ fn pictures_are_those_of_the_cpu() {
     compare("above", [96, 54], &["--order", "4", "--accumulation", "6"]);
 }
 
+/// A mesh that bends, moves and stands under a sky that turns; the last of its frames, which the renderer of the
+/// first has to show.
+fn frames_are_those_of_the_cpu() {
+    let folder = std::env::temp_dir().join(format!("gaunt-gpu-scene-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder for temporary files");
+    let scene = folder.join("scene.toml");
+    let mesh = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../sh-bake/tests/good/animated.gltf"
+    );
+    let text = format!(
+        "[[objects]]\nmesh = {mesh:?}\nspheres = 4\nclip = \"Wave\"\n\
+         keys = [{{ time = 0 }}, {{ time = 1, translate = [0, 0, 2], rotate = [0, 40, 0] }}]\n\
+         [environment]\nturn = 90\n"
+    );
+    std::fs::write(&scene, text).expect("a scene file");
+    let scene = scene.to_str().expect("a path in UTF-8");
+    let arguments = [scene, "--frames", "0..3", "--fps", "2"];
+    compare("frames", [96, 54], &arguments);
+    let _ = std::fs::remove_dir_all(&folder);
+}
+
 fn compare(name: &str, [width, height]: [u32; 2], arguments: &[&str]) {
     let folder = std::env::temp_dir().join(format!("gaunt-gpu-{name}-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder for temporary files");
     let size = format!("{width}x{height}");
     let [cpu, gpu] = ["cpu", "gpu"].map(|backend| {
-        let out = folder.join(format!("{backend}.png"));
+        let frames = arguments.contains(&"--frames");
+        let [pattern, number] = match frames {
+            true => ["%d", "2"],
+            false => [""; 2],
+        };
+        let [out, last] = [pattern, number].map(|n| folder.join(format!("{backend}{n}.png")));
         let output = Command::new(env!("CARGO_BIN_EXE_gaunt"))
             .args(["render", "--size", &size, "--backend", backend, "-o"])
             .arg(&out)
             .args(arguments)
+            .env(
+                "GAUNT_CACHE",
+                concat!(env!("CARGO_TARGET_TMPDIR"), "/gpu-cache"),
+            )
             .output()
             .expect("the program starts");
         assert!(
@@ -142,7 +174,7 @@ fn compare(name: &str, [width, height]: [u32; 2], arguments: &[&str]) {
             "{}",
             String::from_utf8_lossy(&output.stderr)
         );
-        image::open(&out).expect("a PNG").into_rgb8()
+        image::open(&last).expect("a PNG").into_rgb8()
     });
     let _ = std::fs::remove_dir_all(&folder);
     let far = |(a, b): &(&image::Rgb<u8>, &image::Rgb<u8>)| {

@@ -10,22 +10,51 @@ use crate::real::Real;
 /// y_lm = √(k_lm/π) Q_lm(z) · Re or Im (x + iy)^|m|, Q evaluated by Horner's rule in z² with its constant
 /// factor multiplied in.
 pub fn basis(g: &mut Graph, order: usize, d: &[Value]) -> Vec<Value> {
+    functions(g, order, d, polynomial)
+}
+
+/// As [`basis`], each function over its [`factors`]: Q begins with 1, so that constants cost nothing.
+pub fn monic_basis(g: &mut Graph, order: usize, d: &[Value]) -> Vec<Value> {
+    functions(g, order, d, |i| {
+        let q = polynomial(i);
+        let leading = q[q.len() - 1];
+        q.iter().map(|c| c / leading).collect()
+    })
+}
+
+/// What the functions of [`monic_basis`] have to be multiplied with.
+pub fn factors(order: usize) -> Vec<f64> {
+    let leading = |i: usize| polynomial(i).last().copied().unwrap_or(1.0);
+    (0..order * order).map(leading).collect()
+}
+
+/// Q of basis function i with its constant factor, every second power of z, lowest first.
+fn polynomial(i: usize) -> Vec<f64> {
+    let (l, m) = band(i);
+    let k = m.unsigned_abs() as usize;
+    let norm = (normalisation(l, k).real() / Real::PI).sqrt();
+    legendre_derivative(l, k)
+        .iter()
+        .skip((l - k) % 2)
+        .step_by(2)
+        .map(|c| (norm * c.real()).to_f64())
+        .collect()
+}
+
+fn functions(
+    g: &mut Graph,
+    order: usize,
+    d: &[Value],
+    polynomial: impl Fn(usize) -> Vec<f64>,
+) -> Vec<Value> {
     let powers = complex_powers(g, [d[0], d[1]], order);
     let z2 = g.mul(d[2], d[2]);
     (0..order * order)
         .map(|i| {
             let (l, m) = band(i);
             let k = m.unsigned_abs() as usize;
-            let norm = (normalisation(l, k).real() / Real::PI).sqrt();
-            let q = legendre_derivative(l, k);
             let odd = (l - k) % 2;
-            let coefficients: Vec<f64> = q
-                .iter()
-                .skip(odd)
-                .step_by(2)
-                .map(|c| (norm * c.real()).to_f64())
-                .collect();
-            let even = g.horner(&coefficients, z2);
+            let even = g.horner(&polynomial(i), z2);
             match (m, odd) {
                 (0, 0) => even,
                 (0, _) => g.mul(d[2], even),

@@ -78,19 +78,22 @@ pub fn saturating(order: usize) -> (f64, Vec<f64>) {
 
 /// `f_l(θ) = sin²θ · p_l(2 cos θ − 1)`: exactly 0 for θ = 0, and in proportion to the solid angle near it.
 pub fn cap_log(g: &mut Graph, fitted_to: &str, order: usize, sin: Value, cos: Value) -> Vec<Value> {
-    bands(g, &cap_log_coefficients(fitted_to, order), sin, cos)
+    let square = g.mul(sin, sin);
+    let coefficients = cap_log_coefficients(fitted_to, order);
+    bands(g, &coefficients, &vec![square; order], cos)
 }
 
-fn bands(g: &mut Graph, coefficients: &[Vec<f64>], sin: Value, cos: Value) -> Vec<Value> {
+/// Each band's factor times its polynomial.
+fn bands(g: &mut Graph, coefficients: &[Vec<f64>], factors: &[Value], cos: Value) -> Vec<Value> {
     let two = g.constant(2.0);
     let minus_one = g.constant(-1.0);
     let u = g.mul_add(two, cos, minus_one);
-    let s2 = g.mul(sin, sin);
     coefficients
         .iter()
-        .map(|c| {
+        .zip(factors)
+        .map(|(c, factor)| {
             let p = g.horner(c, u);
-            g.mul(s2, p)
+            g.mul(*factor, p)
         })
         .collect()
 }
@@ -105,10 +108,32 @@ pub fn add_cap_log(g: &mut Graph, fitted_to: &str, order: usize, a: &[Vec<Value>
             *c *= crate::basis::turn(l).to_f64();
         }
     }
-    let weights = bands(g, &coefficients, a[1][0], a[2][0]);
+    let square = g.mul(a[1][0], a[1][0]);
+    let weights = bands(g, &coefficients, &vec![square; order], a[2][0]);
     let y = crate::basis::basis(g, order, &a[3]);
     (0..order * order)
         .map(|i| g.mul_add(weights[i.isqrt()], y[i], a[0][i]))
+        .collect()
+}
+
+/// The sum of blockers on the scale of [`crate::basis::monic_basis`] plus one more, band l of it times `a[4][l]`; the
+/// other arguments as in [`add_cap_log`].
+pub fn accumulate_blocker(g: &mut Graph, order: usize, a: &[Vec<Value>]) -> Vec<Value> {
+    let square = g.mul(a[1][0], a[1][0]);
+    let factors: Vec<_> = a[4].iter().map(|w| g.mul(*w, square)).collect();
+    let coefficients = cap_log_coefficients("saturating", order);
+    let weights = bands(g, &coefficients, &factors, a[2][0]);
+    let y = crate::basis::monic_basis(g, order, &a[3]);
+    (0..order * order)
+        .map(|i| g.mul_add(weights[i.isqrt()], y[i], a[0][i]))
+        .collect()
+}
+
+/// What [`accumulate_blocker`] leaves out: a factor for each coefficient.
+pub fn accumulation_factors(order: usize) -> Vec<f64> {
+    let leading = crate::basis::factors(order).into_iter().enumerate();
+    leading
+        .map(|(i, factor)| factor * crate::basis::turn(i.isqrt()).to_f64())
         .collect()
 }
 

@@ -307,6 +307,28 @@ pub const ROUTINES: &[Routine] = &[
         build: |g, n, a| fits::add_cap_log(g, "saturating", n, a),
     },
     Routine {
+        name: "accumulate_blocker",
+        doc: "A sum of blockers plus one more: what one blocker of a cut costs a receiver of the shadow pass. As `add_cap_log_saturating`, with band l of what is added times `w[l]`, the ratio vector of a blocker that stands for several (1 for one that stands for itself). Coefficients of the sum lack a factor each, which `accumulated_log` puts in at the end; it costs as little for many blockers as for one.",
+        source: "Ren et al. 2006, eq. 38, with the fitted logarithm of `cap_log_saturating`.",
+        example: "let (sin, cos, d) = (0.6, 0.8, [0.6, 0.0, 0.8]);\nlet half = [0.0_f64; 16].accumulate_blocker(sin, cos, d, [0.5; 4]);\nlet both = half.accumulate_blocker(sin, cos, d, [0.5; 4]).accumulated_log();\nlet one = [0.0_f64; 16].add_cap_log_saturating(sin, cos, d);\nassert!(one.iter().zip(both).all(|(a, b)| (a - b).abs() < 1e-12));",
+        arguments: &[F, SIN, COS, D, ("w", Shape::Zonal)],
+        result: Shape::Vector,
+        build: fits::accumulate_blocker,
+    },
+    Routine {
+        name: "accumulated_log",
+        doc: "The logarithm of the visibility past all blockers that `accumulate_blocker` has summed up: each coefficient times its factor.",
+        source: "The leading coefficients of the basis functions, as polynomials in z, and √(4π/(2l+1)).",
+        example: "assert_eq!([0.0_f32; 9].accumulated_log(), [0.0; 9]);",
+        arguments: &[F],
+        result: Shape::Vector,
+        build: |g, n, a| {
+            let factors = fits::accumulation_factors(n);
+            let pairs = a[0].iter().zip(factors);
+            pairs.map(|(f, factor)| g.scale(factor, *f)).collect()
+        },
+    },
+    Routine {
         name: "exp_saturating",
         doc: "The visibility behind all blockers from `f`, the sum of their `cap_log_saturating`: samples of f, held in bounds by a fitted function in the place of e^x, projected back. The exponential of the shadow pass.\n\nWith x = f/√(1 + β‖f̂‖²/4π), f̂ being f without its mean, and t = x(s) held in −1..0.2, a sample becomes h(t) = ((1 + t)(1 − t/4))²: 1 for f = 0, at most 1.2996, and 0 where f says dark. Ripples of many overlapping blockers, which grow with their number, are compressed to the size of one blocker's; no |f| makes it diverge.\n\nPromises for any finite f: every sample lies in 0..=1.2996 before projection; the norm of the result is at most 1.2996 √4π (2 % more at order 6, where a band's gain is 1.02). A number that is not finite makes the result NaN or finite, never infinite. f is told apart up to ‖f̂‖ = 3e18.",
         source: "Sampling rules: Lebedev 1976; β, the gains of the projection's bands and the logarithm fitted against true visibilities by `gaunt fit`.",

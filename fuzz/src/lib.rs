@@ -12,8 +12,9 @@
 //! Bad input is answered in a sentence. A panic, an abort, more memory or time than the limits in `fuzz/run`, or
 //! an answer that is not what is promised below, is a finding.
 
-use sh_bake::{Error, Model, load_environment, load_mesh};
+use sh_bake::{Error, Figure, Model, load_environment, load_mesh};
 use sh_scene::EnvironmentMap;
+use sh_scene::motion::Pose;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -29,6 +30,22 @@ pub fn file(name: &str, bytes: &[u8]) -> PathBuf {
     let path = folder.join(name);
     std::fs::write(&path, bytes).expect("the folder for temporary files can be written");
     path
+}
+
+/// Poses a model by all its clips.
+fn play(figure: &Figure, model: &Model) {
+    assert_eq!(figure.skins.len(), model.parts.len());
+    let mut pose = Pose::default();
+    for clip in &figure.clips {
+        for seconds in [0.0, 0.3, 1e9] {
+            pose.set(&figure.skeleton, &figure.bones, Some((clip, seconds)));
+            for (skin, part) in figure.skins.iter().zip(&model.parts) {
+                let mut mesh = part.mesh.clone();
+                assert_eq!(skin.len(), mesh.positions.len());
+                skin.pose(pose.bones(), &mut mesh);
+            }
+        }
+    }
 }
 
 /// Checks that an error is a sentence on one line.
@@ -85,6 +102,9 @@ pub fn check_model(model: &Model) {
             let pixels = texture.width as usize * texture.height as usize;
             assert!(pixels > 0 && texture.rgba.len() == 4 * pixels);
         }
+    }
+    if let Some(figure) = &model.figure {
+        play(figure, model);
     }
     for warning in &model.warnings {
         assert!(warning.ends_with('.') && !warning.contains(char::is_control));

@@ -23,7 +23,7 @@ fuzz_target!(|bytes: &[u8]| {
         file("grey.hdr", MAP);
         file("mesh.obj", mesh.as_bytes());
         match load_scene(&file("scene.toml", scene.as_bytes())) {
-            Ok((scene, _)) => check(&scene),
+            Ok(loaded) => check(&loaded.scene),
             Err(error) => check_error(&error),
         }
     }

@@ -20,23 +20,26 @@ fn replace(center: vec3f, normal: vec3f, radius: f32) -> Blocker {
     if (height <= -radius) {
         return Blocker(0.0, 1.0, normal);
     }
+    if (height >= radius) {
+        return seen(center, radius);
+    }
     let foot = center - height * normal;
     let foot_squared = dot(foot, foot);
-    var counted = radius;
-    var raised = height;
-    if (height < radius) {
-        let circle = sqrt(max((radius - height) * (radius + height), 0.0));
-        let a = clamp((sqrt(foot_squared) - circle) / max(circle, TINY), 0.0, 1.0);
-        counted = (1.0 - a) * max(height, 0.0) + a * (radius + height) * 0.5;
-        raised = counted;
-    }
-    let distance = sqrt(foot_squared + raised * raised);
-    let inverse = 1.0 / max(distance, TINY);
-    // distance^2 - radius^2, without the cancellation where the sphere touches the plane.
-    let tangent = sqrt(max(foot_squared + (raised - counted) * (raised + counted), 0.0));
-    return Blocker(
-        min(counted * inverse, 1.0),
-        min(tangent * inverse, 1.0),
-        (foot + raised * normal) * inverse,
-    );
+    // (|foot| - d) / d by one root, d the circle's radius.
+    let circle_squared = max((radius - height) * (radius + height), TINY);
+    let a = clamp(sqrt(foot_squared / circle_squared) - 1.0, 0.0, 1.0);
+    let inner = max(height, 0.0);
+    let counted = max(inner + a * ((radius + height) * 0.5 - inner), 0.0);
+    let towards = foot + counted * normal;
+    let inverse = 1.0 / max(length(towards), TINY);
+    // cos^2 = 1 - sin^2, without the cancellation, as the sphere touches the plane: it is the foot's share.
+    let cosine = sqrt(min(foot_squared * inverse * inverse, 1.0));
+    return Blocker(min(counted * inverse, 1.0), cosine, towards * inverse);
+}
+
+// A ball as it is; `center` is seen from the receiver.
+fn seen(center: vec3f, radius: f32) -> Blocker {
+    let inverse = 1.0 / max(length(center), TINY);
+    let sine = min(radius * inverse, 1.0);
+    return Blocker(sine, sqrt(max(1.0 - sine * sine, 0.0)), center * inverse);
 }

@@ -8,13 +8,17 @@
 //! |---|---|---|---|
 //! | gbuffer | `body_vertex`, `body_fragment` | band (uniform) | body (uniform), base colour (texture) |
 //! | | `ground_vertex`, `ground_fragment` | band (uniform) | |
-//! | | `pack` | places, surfaces (textures) | receivers, albedos (storage, written) |
-//! | irradiance | `irradiance` | lighting (uniform) | receivers, radiance (written) |
-//! | shadow | `shadow` | lighting (uniform), blockers | receivers, radiance (written) |
+//! | | `pack` | band (uniform), places, surfaces (textures) | receivers, albedos (storage, written) |
+//! | irradiance | `irradiance` | lighting (uniform), emitters | receivers, radiance (written) |
+//! | shadow | `shadow` | lighting (uniform), emitters, nodes | receivers, clusters, radiance (written) |
+//! | upsample | `shares` | band, lighting (uniform), emitters, rule (uniform) | half receivers, half radiance (to shares) |
+//! | | `upsample` | as above | half receivers, half shares, receivers, radiance, what to shade anew, its clusters and origins (four written) |
+//! | | `scatter` | as above | clusters, origins, their radiance, radiance (written) |
 //! | resolve | `resolve` | band (uniform), environment (texture) | receivers, albedo, radiance, picture (written) |
 //!
 //! Compute entry points have workgroups of [`WORKGROUP`] invocations and count elements row by row over a
-//! two-dimensional dispatch; how many there are follows from the size of the bound buffers.
+//! two-dimensional dispatch; how many there are follows from the size of the bound buffers. `shadow`, `upsample` and
+//! `scatter` count clusters or tiles along y and z instead.
 //!
 //! ```
 //! let wgsl = sh_kernels::source(sh_kernels::Pass::Shadow, 4).expect("orders 2 to 6 exist");
@@ -36,17 +40,25 @@ pub const WORKGROUP: u32 = 64;
 pub enum Pass {
     /// Position, normal and albedo per sample; the same text for every order.
     Gbuffer,
-    /// Environment light without blockers.
+    /// Light without blockers.
     Irradiance,
-    /// Environment light through the visibility of all blocker spheres.
+    /// Light through the visibility of all blocker spheres.
     Shadow,
+    /// Radiance at half resolution to samples.
+    Upsample,
     /// Samples to pixels; the same text for every order.
     Resolve,
 }
 
 impl Pass {
     /// All passes, in the order of a frame.
-    pub const ALL: [Pass; 4] = [Pass::Gbuffer, Pass::Irradiance, Pass::Shadow, Pass::Resolve];
+    pub const ALL: [Pass; 5] = [
+        Pass::Gbuffer,
+        Pass::Irradiance,
+        Pass::Shadow,
+        Pass::Upsample,
+        Pass::Resolve,
+    ];
 
     /// The name of the pass and of its file.
     pub fn name(self) -> &'static str {
@@ -54,6 +66,7 @@ impl Pass {
             Pass::Gbuffer => "gbuffer",
             Pass::Irradiance => "irradiance",
             Pass::Shadow => "shadow",
+            Pass::Upsample => "upsample",
             Pass::Resolve => "resolve",
         }
     }

@@ -23,6 +23,7 @@
 //! | [`arcs`] | the same visibility, exact to rounding and fast, along the edges of the caps |
 //! | [`blockers`] | the random sets of caps that accuracy is measured on |
 //! | [`raycast`] | the visibility past triangles, one ray at a time |
+//! | [`spheres`] | the volume of spheres outside a mesh; sphere sets made in simpler ways |
 //! | [`sampled`] | SH vector and light behind any visibility |
 //!
 //! # Conventions
@@ -53,6 +54,7 @@ pub mod raycast;
 pub mod rotation;
 pub mod sampled;
 pub mod scipy;
+pub mod spheres;
 pub mod visibility;
 pub mod zonal;
 

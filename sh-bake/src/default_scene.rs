@@ -1,5 +1,6 @@
 //! The scene that needs no file.
 
+use crate::Cache;
 use crate::load::{FitReport, Progress, Report, fit_all};
 use crate::shapes;
 use glam::{Affine3A, Quat, Vec3};
@@ -12,13 +13,16 @@ struct Piece(&'static str, Mesh, usize, [f32; 3], Quat, Vec3);
 
 /// A still life on a ground plane under an analytic sky: a torus knot, a box with a ball on it, a twisted
 /// column, a cone, a capsule, a torus and some balls. Everything is made by code and stands on the ground
-/// or on something else.
+/// or on something else. With a cache, sphere sets that it has are taken from there, and others put into it.
 ///
 /// ```no_run
-/// let (scene, report) = sh_bake::default_scene(&|_| {});
+/// let (scene, report) = sh_bake::default_scene(None, &|_| {});
 /// println!("{} objects, {:?} for spheres", scene.objects.len(), report.fit_time);
 /// ```
-pub fn default_scene(progress: &(dyn Fn(Progress) + Sync)) -> (Scene, Report) {
+pub fn default_scene(
+    cache: Option<&Cache>,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> (Scene, Report) {
     let start = Instant::now();
     let pieces = pieces();
     let environment = Sky::default().map(512, 256);
@@ -30,18 +34,16 @@ pub fn default_scene(progress: &(dyn Fn(Progress) + Sync)) -> (Scene, Report) {
     let start = Instant::now();
     let fits = fit_all(
         pieces.iter().map(|piece| (vec![&piece.1], piece.2)),
+        cache,
         progress,
     );
     report.fit_time = start.elapsed();
 
     let mut objects = Vec::new();
-    for (Piece(name, mesh, _, albedo, turn, place), (set, time)) in pieces.into_iter().zip(fits) {
-        report.fits.push(FitReport::new(
-            name.into(),
-            std::iter::once(&mesh),
-            &set,
-            time,
-        ));
+    for (Piece(name, mesh, _, albedo, turn, place), fitted) in pieces.into_iter().zip(fits) {
+        report
+            .fits
+            .push(FitReport::new(name.into(), std::iter::once(&mesh), &fitted));
         let mut object = Object {
             name: name.into(),
             mesh,
@@ -50,7 +52,7 @@ pub fn default_scene(progress: &(dyn Fn(Progress) + Sync)) -> (Scene, Report) {
                 texture: None,
             },
             transform: Affine3A::from_quat(turn),
-            spheres: set.spheres,
+            spheres: fitted.set.spheres,
         };
         let lowest = object.bounds().map_or(0.0, |[low, _]| low.y);
         object.transform = Affine3A::from_rotation_translation(turn, place - Vec3::Y * lowest);
@@ -59,6 +61,7 @@ pub fn default_scene(progress: &(dyn Fn(Progress) + Sync)) -> (Scene, Report) {
     let scene = Scene {
         objects,
         environment,
+        lights: Vec::new(),
         ground: Some(Ground {
             height: 0.0,
             albedo: [0.50, 0.48, 0.45],
@@ -167,7 +170,7 @@ mod tests {
 
     #[test]
     fn everything_stands_on_the_ground_and_is_bounded() {
-        let (scene, report) = default_scene(&|_| {});
+        let (scene, report) = default_scene(None, &|_| {});
         assert_eq!(scene.objects.len(), report.fits.len());
         let [low, high] = scene.bounds().unwrap();
         assert!(low.y.abs() < 1e-5 && high.y > 1.5, "{low} {high}");

@@ -14,13 +14,17 @@ pub(crate) struct Source<'a> {
 }
 
 impl Source<'_> {
+    /// The line of a place in the text, from 1.
+    fn line(&self, span: &Range<usize>) -> usize {
+        let before = self.text.get(..span.start).unwrap_or(self.text);
+        before.matches('\n').count() + 1
+    }
+
     /// An error at a place in the text.
     pub(crate) fn error(&self, span: &Range<usize>, message: impl Display) -> Error {
-        let before = self.text.get(..span.start).unwrap_or(self.text);
-        let line = before.matches('\n').count() + 1;
         Error::Scene {
             path: self.path.to_path_buf(),
-            line,
+            line: self.line(span),
             message: one_line(&message.to_string()),
         }
     }
@@ -99,6 +103,27 @@ impl<'a> Section<'a> {
         }
     }
 
+    /// A string, or a whole number as one.
+    pub(crate) fn string_or_count(&self, key: &str) -> Result<Option<String>, Error> {
+        match self.value(key) {
+            None => Ok(None),
+            Some(DeValue::String(text)) => Ok(Some(text.to_string())),
+            Some(value) => match integer(value).filter(|n| *n >= 0) {
+                Some(n) => Ok(Some(n.to_string())),
+                None => Err(self.error(
+                    key,
+                    format!("has to be a string or a whole number, not {}.", kind(value)),
+                )),
+            },
+        }
+    }
+
+    /// The line on which a key stands, from 1.
+    pub(crate) fn line(&self, key: &str) -> usize {
+        let span = self.table.get(key).map_or(self.span.clone(), |v| v.span());
+        self.source.line(&span)
+    }
+
     /// True or false.
     pub(crate) fn boolean(&self, key: &str) -> Result<Option<bool>, Error> {
         match self.value(key) {
@@ -153,6 +178,38 @@ impl<'a> Section<'a> {
                 format!("has to be a number {wanted}, not {}.", kind(value)),
             )),
         }
+    }
+
+    /// A list of tables, as sections of this name that know these keys.
+    pub(crate) fn sections(
+        &self,
+        key: &str,
+        name: &'a str,
+        known: &[&str],
+    ) -> Result<Option<Vec<Section<'a>>>, Error> {
+        let entries = match self.value(key) {
+            None => return Ok(None),
+            Some(DeValue::Array(entries)) => entries,
+            Some(other) => {
+                let found = kind(other);
+                return Err(self.error(key, format!("has to be a list of tables, not {found}.")));
+            }
+        };
+        let section = |entry: &'a toml::Spanned<DeValue<'a>>| match entry.get_ref() {
+            DeValue::Table(table) => Section::new(self.source, name, entry.span(), table, known),
+            other => Err(self.source.error(
+                &entry.span(),
+                format!(
+                    "{name} has {} in it, but it has to be a list of tables.",
+                    kind(other)
+                ),
+            )),
+        };
+        entries
+            .iter()
+            .map(section)
+            .collect::<Result<_, _>>()
+            .map(Some)
     }
 
     /// Three numbers that `allowed` allows. One number stands for three equal ones where `spread` says so.

@@ -1,9 +1,10 @@
 //! What happens once, before the first frame: files are loaded and spheres fitted.
 //!
-//! - [`load_scene`] takes a scene file (or a mesh file) to a [`sh_scene::Scene`]; [`default_scene`] needs no
-//!   file.
+//! - [`load_scene`] takes a scene file (or a mesh file) to a [`sh_scene::Scene`] and its
+//!   [`sh_scene::motion::Motion`]; [`default_scene`] needs no file.
 //! - [`load_mesh`] reads glTF and OBJ, [`load_environment`] HDR and EXR maps.
-//! - [`SphereSet::fit`] bounds any triangle mesh by a given number of spheres.
+//! - [`SphereSet::fit`] bounds any triangle mesh by a given number of spheres; a [`Cache`] keeps what loading fits.
+//! - [`bind_spheres`] makes spheres follow a mesh that bends, [`grow_spheres`] lets them hold it.
 //! - [`shapes`] are meshes made by code.
 //!
 //! Bad input is an [`Error`]: a sentence that names the file and what in it is wrong. Nothing is printed;
@@ -20,11 +21,29 @@
 //! rotate = [0, 90, 0]          # then turned about x, then y, then z, in degrees,
 //! translate = [0, 0, 0]        # then moved, in metres
 //! albedo = [0.8, 0.8, 0.8]     # or one number; in place of the file's own colour, under its texture
+//! clip = "Walk"                # plays one of the mesh file's clips over and over: its name, or its number from 0
+//! keys = [                     # moves the whole: places over time, in seconds; straight lines and the shorter
+//!     { time = 0 },            # turns (below 180 degrees) between them; what a key does not say is as above
+//!     { time = 2, translate = [1, 0, 0], rotate = [0, 180, 0], scale = 2 },
+//! ]
+//! repeat = true                # the keys begin anew after the last; where nothing is said the object stays there
 //!
 //! [environment]                # a clear sky with a sun where nothing is said
 //! map = "city.hdr"             # .hdr or .exr, equirectangular
 //! rotation = 0                 # about +Y, in degrees, counter-clockwise seen from above
+//! turn = 30                    # degrees a second
 //! intensity = 1.0
+//!
+//! [[lights]]                   # any number of discs in the sky
+//! direction = [1, 2, 0]        # towards it
+//! angle = 2                    # its angular radius, in degrees
+//! radiance = [90, 80, 60]      # of its surface; or one number
+//!
+//! [[lights]]                   # or glowing balls, which cast no shadow themselves
+//! center = [0, 3, 1]
+//! radius = 0.2
+//! radiance = 40
+//! window = 6                   # of its spherical harmonics, in bands; as wide as ringing allows where nothing is said
 //!
 //! [ground]                     # an infinite plane that receives shadows
 //! height = 0.0                 # under the lowest point where nothing is said
@@ -39,29 +58,37 @@
 //! [settings]
 //! order = 4                    # of the light, 2 to 6
 //! accumulation_order = 6       # of the shadows' logarithms, from the order to 6: truer and slower; ACCURACY.md
-//! window = 8                   # twice the order where nothing is said
+//! window = 8                   # of the environment; up to twice the order, as ringing allows, where nothing is said
 //! shadows = true
+//! half_resolution = false      # shadows for every two by two pixels, and at edges for every sample; true where nothing is said
+//! blocker_angle = 25           # degrees: groups of spheres below this angular radius count as one; 0 to 30, 0 for none
 //! ```
 
+mod cache;
 mod default_scene;
 mod environment;
 mod error;
 mod gltf;
 mod keys;
+mod lights;
 mod load;
 mod mesh;
+mod motion;
 mod normals;
 mod obj;
+mod objects;
 mod scene_file;
 pub mod shapes;
 mod spheres;
 
+pub use cache::Cache;
 pub use default_scene::default_scene;
 pub use environment::load_environment;
 pub use error::Error;
-pub use load::{FitReport, Progress, Report, load_scene, load_scene_with};
-pub use mesh::{Model, Part, load_mesh};
-pub use spheres::SphereSet;
+pub use load::{FitReport, Loaded, Progress, Report, load_scene, load_scene_with};
+pub use mesh::{Figure, Model, Part, load_mesh};
+pub use motion::{ClipChoice, bind_spheres, grow_spheres};
+pub use spheres::{SphereSet, is_closed};
 
 /// The albedo of a mesh that has none: a light grey.
 const WHITE: [f32; 3] = [0.8; 3];

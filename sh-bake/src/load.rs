@@ -2,15 +2,30 @@
 
 use crate::error::Error;
 use crate::mesh::{Model, load_mesh};
-use crate::scene_file::{ObjectEntry, SceneFile};
-use crate::{SphereSet, load_environment};
-use glam::{Affine3A, EulerRot, Quat, Vec3};
+use crate::motion::{self, ClipChoice, Rigs};
+use crate::objects::ObjectEntry;
+use crate::scene_file::SceneFile;
+use crate::{Cache, SphereSet, is_closed, load_environment};
+use glam::Vec3;
 use rayon::prelude::*;
+use sh_scene::motion::Motion;
 use sh_scene::{Camera, Ground, Mesh, Object, Scene, Sky};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
+
+/// A scene, and how it moves.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    /// As it is at time 0.
+    pub scene: Scene,
+    /// What takes it to other times.
+    pub motion: Motion,
+    /// What loading found and took.
+    pub report: Report,
+}
 
 /// What loading a scene found and took.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +34,8 @@ pub struct Report {
     pub warnings: Vec<String>,
     /// The mesh files with their sphere sets, each mesh with the same count once.
     pub fits: Vec<FitReport>,
+    /// What moves: sentences.
+    pub moves: Vec<String>,
     /// Time for reading files, and for the sky where there is no map.
     pub read_time: Duration,
     /// Time for fitting all sphere sets.
@@ -34,10 +51,13 @@ pub struct FitReport {
     pub triangles: usize,
     /// How many spheres bound it.
     pub spheres: usize,
-    /// Their outside volume relative to the mesh's volume; none for an open mesh.
+    /// Their outside volume relative to the mesh's volume, or, where it is open, to what it encloses by more than
+    /// half; none where it encloses nothing.
     pub outside_volume_ratio: Option<f32>,
-    /// Time for fitting.
+    /// Time for fitting, or for finding the set in the cache.
     pub time: Duration,
+    /// Whether the set comes from the cache.
+    pub cached: bool,
 }
 
 /// How far loading has come.
@@ -52,23 +72,28 @@ pub struct Progress<'a> {
 }
 
 /// Loads a scene: a TOML file as the README describes, or a mesh file, which then is the scene's only
-/// object. Whatever the file leaves out gets a sensible value: an analytic sky, ground under the lowest
-/// point, a camera that frames the objects.
+/// object and stands still. Whatever the file leaves out gets a sensible value: an analytic sky, ground under
+/// the lowest point, a camera that frames the objects; where they move, the lowest point and all places that
+/// they reach.
 ///
 /// # Errors
 /// A sentence that names the file and the field, where any of the files cannot be read or is wrong.
-pub fn load_scene(path: &Path) -> Result<(Scene, Report), Error> {
-    load_scene_with(path, &|_| {})
+pub fn load_scene(path: &Path) -> Result<Loaded, Error> {
+    load_scene_with(path, ClipChoice::None, None, &|_| {})
 }
 
-/// [`load_scene`], telling `progress` how far it is: from several threads, in any order.
+/// [`load_scene`] with a clip for a mesh file, telling `progress` how far it is: from several threads, in any
+/// order. With a cache, sphere sets that it has are taken from there, and others put into it; the scene is the same,
+/// bit by bit.
 ///
 /// # Errors
-/// As [`load_scene`].
+/// As [`load_scene`], and where the file has no such clip, or is a scene file and one is named.
 pub fn load_scene_with(
     path: &Path,
+    clip: ClipChoice,
+    cache: Option<&Cache>,
     progress: &(dyn Fn(Progress) + Sync),
-) -> Result<(Scene, Report), Error> {
+) -> Result<Loaded, Error> {
     let start = Instant::now();
     let ending = path
         .extension()
@@ -77,6 +102,12 @@ pub fn load_scene_with(
         .to_ascii_lowercase();
     let file = match ending.as_str() {
         "obj" | "gltf" | "glb" => SceneFile::of_mesh(path),
+        _ if matches!(clip, ClipChoice::Named(_)) => {
+            return Err(Error::file(
+                path,
+                "a clip can be chosen for a mesh file; a scene says clip = \"...\" under [[objects]].",
+            ));
+        }
         _ => SceneFile::read(path)?,
     };
     let mut report = Report::default();
@@ -94,6 +125,7 @@ pub fn load_scene_with(
             models.insert(&entry.mesh, model);
         }
     }
+    let clips = motion::clips(path, &file, &models, clip)?;
     progress(Progress {
         stage: "reading the environment",
         done: 0,
@@ -103,7 +135,6 @@ pub fn load_scene_with(
         Some(map) => load_environment(map)?,
         None => Sky::default().map(512, 256),
     };
-    let environment = environment.rotated(file.rotation).scaled(file.intensity);
     report.read_time = start.elapsed();
 
     let start = Instant::now();
@@ -118,75 +149,141 @@ pub fn load_scene_with(
         wanted
             .iter()
             .map(|&(mesh, count)| (models[mesh].parts.iter().map(|p| &p.mesh).collect(), count)),
+        cache,
         progress,
     );
-    report.fit_time = start.elapsed();
     let mut sets = BTreeMap::new();
-    for (&(mesh, count), (set, time)) in wanted.iter().zip(fits) {
+    for (&(mesh, count), fitted) in wanted.iter().zip(fits) {
         let name = file_name(mesh);
         report.fits.push(FitReport::new(
             name,
             models[mesh].parts.iter().map(|p| &p.mesh),
-            &set,
-            time,
+            &fitted,
         ));
-        sets.insert((mesh, count), set);
+        sets.insert((mesh, count), fitted.set);
+    }
+    for (mesh, model) in &models {
+        let parts: Vec<&Mesh> = model.parts.iter().map(|p| &p.mesh).collect();
+        if !is_closed(&parts) {
+            report.warnings.push(format!(
+                "{}: the mesh is not closed; shadows take as solid what is more than half enclosed.",
+                crate::error::shown(mesh)
+            ));
+        }
     }
 
-    let mut objects = Vec::new();
-    for entry in &file.objects {
-        let set = &sets[&(entry.mesh.as_path(), entry.spheres)];
-        objects.extend(bodies(entry, &models[entry.mesh.as_path()], set));
+    let (mut objects, mut motion) = (Vec::new(), Motion::default());
+    let mut rigs = Rigs::default();
+    for (entry, clip) in file.objects.iter().zip(clips) {
+        let (first, mesh) = (objects.len(), entry.mesh.as_path());
+        let model = &models[mesh];
+        let mut set = &sets[&(mesh, entry.spheres)];
+        if let (Some(clip), Some(figure)) = (clip, &model.figure) {
+            let moving = rigs.moving((mesh, entry.spheres, clip), model, figure, set)?;
+            report.moves.push(moving.sentence.clone());
+            motion.add_rig(first, Arc::clone(&moving.rig));
+            set = &moving.set;
+        }
+        objects.extend(bodies(entry, model, set));
+        if let Some(keys) = &entry.keys {
+            let (name, seconds) = (file_name(mesh), keys.duration());
+            report.moves.push(format!(
+                "{name} moves along its keys, which take {seconds} s."
+            ));
+            motion.add_keys(first..objects.len(), keys.clone());
+        }
     }
-    Ok((assemble(&file, objects, environment), report))
+    report.fit_time = start.elapsed();
+    let environment = if file.turn == 0.0 {
+        environment.rotated(file.rotation).scaled(file.intensity)
+    } else {
+        let degrees = file.turn;
+        report.moves.push(format!(
+            "The environment turns by {degrees} degrees a second."
+        ));
+        let environment = environment.scaled(file.intensity);
+        let (start, rate) = (f64::from(file.rotation), f64::from(degrees).to_radians());
+        motion.turn_environment(environment.clone(), start, rate);
+        environment
+    };
+    Ok(assemble(&file, objects, environment, motion, report))
 }
 
-/// Fits spheres to several meshes, each given as parts and a count, side by side.
+/// A sphere set and how it came about.
+pub(crate) struct Fitted {
+    pub(crate) set: SphereSet,
+    time: Duration,
+    cached: bool,
+}
+
+/// Fits spheres to several meshes, each given as parts and a count, side by side; or takes them from the cache.
 pub(crate) fn fit_all<'a>(
     meshes: impl Iterator<Item = (Vec<&'a Mesh>, usize)>,
+    cache: Option<&Cache>,
     progress: &(dyn Fn(Progress) + Sync),
-) -> Vec<(SphereSet, Duration)> {
+) -> Vec<Fitted> {
+    /// Steps of a mesh for each of its spheres, and as if it had some more: what a fit takes whatever its size.
+    const STEPS: usize = 100;
+    const MORE: usize = 8;
     let meshes: Vec<_> = meshes.collect();
-    let (done, total) = (AtomicUsize::new(0), meshes.len());
-    progress(Progress {
-        stage: "fitting spheres",
-        done: 0,
-        total,
-    });
-    meshes
-        .par_iter()
-        .map(|(parts, count)| {
-            let start = Instant::now();
-            let set = SphereSet::fit(parts, *count);
-            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            progress(Progress {
-                stage: "fitting spheres",
-                done,
-                total,
-            });
-            (set, start.elapsed())
-        })
-        .collect()
+    let steps = |count: usize| STEPS * (count + MORE);
+    let total = meshes.iter().map(|(_, count)| steps(*count)).sum();
+    let sum = AtomicUsize::new(0);
+    let tell = |more: usize| {
+        let done = sum.fetch_add(more, Ordering::Relaxed) + more;
+        progress(Progress {
+            stage: "fitting spheres",
+            done,
+            total,
+        });
+    };
+    tell(0);
+    let fit = |(parts, count): &(Vec<&Mesh>, usize)| {
+        let start = Instant::now();
+        let (all, told) = (steps(*count), AtomicUsize::new(0));
+        // Parts come in any order from several threads: what counts is the largest so far.
+        let part = |part: f32| {
+            let now = ((part * all as f32) as usize).min(all);
+            let before = told.fetch_max(now, Ordering::Relaxed);
+            tell(now.saturating_sub(before));
+        };
+        let found = cache.and_then(|cache| cache.find(parts, *count));
+        let cached = found.is_some();
+        let set = found.unwrap_or_else(|| {
+            let set = SphereSet::fit_with(parts, *count, &part);
+            if let Some(cache) = cache {
+                cache.keep(parts, *count, &set);
+            }
+            set
+        });
+        part(1.0);
+        Fitted {
+            set,
+            time: start.elapsed(),
+            cached,
+        }
+    };
+    meshes.par_iter().map(fit).collect()
 }
 
 impl FitReport {
     pub(crate) fn new<'a>(
         name: String,
         meshes: impl Iterator<Item = &'a Mesh>,
-        set: &SphereSet,
-        time: Duration,
+        fitted: &Fitted,
     ) -> Self {
         Self {
             name,
             triangles: meshes.map(|mesh| mesh.triangles.len()).sum(),
-            spheres: set.spheres.len(),
-            outside_volume_ratio: set.outside_volume_ratio,
-            time,
+            spheres: fitted.set.spheres.len(),
+            outside_volume_ratio: fitted.set.outside_volume_ratio,
+            time: fitted.time,
+            cached: fitted.cached,
         }
     }
 }
 
-fn file_name(path: &Path) -> String {
+pub(crate) fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(
         || PathBuf::from(path).display().to_string(),
         |n| n.to_string_lossy().into(),
@@ -195,13 +292,7 @@ fn file_name(path: &Path) -> String {
 
 /// One object of the file as bodies: one for each of its parts. The first carries the spheres of all.
 fn bodies(entry: &ObjectEntry, model: &Model, set: &SphereSet) -> Vec<Object> {
-    let [x, y, z] = entry.rotate.map(f32::to_radians);
-    let transform = Affine3A::from_scale_rotation_translation(
-        Vec3::splat(entry.scale),
-        // About x first, so z is the outermost.
-        Quat::from_euler(EulerRot::ZYX, z, y, x),
-        Vec3::from(entry.translate),
-    );
+    let transform = entry.place.into();
     let file = file_name(&entry.mesh);
     let body = |(i, part): (usize, &crate::Part)| {
         let name = if part.name.is_empty() {
@@ -232,15 +323,25 @@ fn assemble(
     file: &SceneFile,
     objects: Vec<Object>,
     environment: sh_scene::EnvironmentMap,
-) -> Scene {
-    let bounds = objects
-        .iter()
-        .filter_map(Object::bounds)
-        .reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
+    mut motion: Motion,
+    report: Report,
+) -> Loaded {
+    let mut scene = Scene {
+        objects,
+        environment,
+        lights: file.lights.clone(),
+        ground: None,
+        camera: Camera::framing(Vec3::ZERO, Vec3::ZERO, Camera::FOV),
+        settings: file.settings,
+    };
+    let bounds = match motion.is_still() {
+        true => scene.bounds(),
+        false => motion::reach(&mut motion, &mut scene),
+    };
     let [low, high] = bounds.unwrap_or([Vec3::ZERO; 2]);
     let fov = file.fov.unwrap_or(Camera::FOV);
     let framing = Camera::framing(low, high, fov);
-    let camera = match (file.eye.map(Vec3::from), file.target.map(Vec3::from)) {
+    scene.camera = match (file.eye.map(Vec3::from), file.target.map(Vec3::from)) {
         (Some(eye), target) => {
             let target = target.unwrap_or(framing.target);
             let near = eye.distance(target) < Camera::nearest(target);
@@ -263,14 +364,13 @@ fn assemble(
         }
         (None, None) => framing,
     };
-    Scene {
-        objects,
-        environment,
-        ground: file.ground.then(|| Ground {
-            height: file.ground_height.unwrap_or(low.y),
-            albedo: file.ground_albedo,
-        }),
-        camera,
-        settings: file.settings,
+    scene.ground = file.ground.then(|| Ground {
+        height: file.ground_height.unwrap_or(low.y),
+        albedo: file.ground_albedo,
+    });
+    Loaded {
+        scene,
+        motion,
+        report,
     }
 }

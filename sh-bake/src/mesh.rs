@@ -2,7 +2,8 @@
 
 use crate::error::{Error, read, shown};
 use crate::{gltf, normals, obj};
-use glam::{DVec3, Vec3};
+use glam::{Affine3A, DVec3, Vec3, Vec3A};
+use sh_scene::motion::{Bone, Clip, Influences, Joint, MotionError, Pose, Skeleton, Skin};
 use sh_scene::{Material, Mesh};
 use std::path::Path;
 
@@ -22,8 +23,23 @@ pub struct Part {
 pub struct Model {
     /// Its parts, one for each material; at least one.
     pub parts: Vec<Part>,
+    /// What moves the parts; none where the file has no animations.
+    pub figure: Option<Figure>,
     /// What was wrong with the file and has been put right: sentences that name the file.
     pub warnings: Vec<String>,
+}
+
+/// What moves a model, and all the ways in which it can.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// The file's nodes.
+    pub skeleton: Skeleton,
+    /// What carries vertices.
+    pub bones: Vec<Bone>,
+    /// The vertices of each of the model's parts at rest.
+    pub skins: Vec<Skin>,
+    /// The file's animations, in its order; at least one.
+    pub clips: Vec<Clip>,
 }
 
 /// Coordinates beyond this are taken as damage: squares and volumes of them would leave `f32`.
@@ -32,7 +48,8 @@ const FARTHEST: f32 = 1e9;
 /// Loads a mesh file, glTF (.gltf, .glb) or Wavefront OBJ by the ending of its name.
 ///
 /// Of glTF, all triangle meshes of the default scene are taken with their nodes' transforms, in the pose the
-/// nodes are in, with base colour factor and texture. Of OBJ, faces are cut into triangles and material
+/// nodes are in, with base colour factor and texture; where the file has animations, these and what they move
+/// too ([`Figure`]), but for morph targets. Of OBJ, faces are cut into triangles and material
 /// libraries are not read. Missing normals are computed: smooth, but for creases of more than 60°.
 ///
 /// # Errors
@@ -43,9 +60,17 @@ pub fn load_mesh(path: &Path) -> Result<Model, Error> {
         .and_then(|e| e.to_str())
         .unwrap_or("")
         .to_ascii_lowercase();
-    let (raw, mut warnings) = match ending.as_str() {
+    let gltf::Loaded {
+        parts: raw,
+        figure,
+        mut warnings,
+    } = match ending.as_str() {
         "gltf" | "glb" => gltf::load(path, &read(path)?)?,
-        "obj" => (vec![obj::load(path, &read(path)?)?], Vec::new()),
+        "obj" => gltf::Loaded {
+            parts: vec![obj::load(path, &read(path)?)?],
+            figure: None,
+            warnings: Vec::new(),
+        },
         _ => {
             return Err(Error::Format {
                 path: path.into(),
@@ -54,9 +79,12 @@ pub fn load_mesh(path: &Path) -> Result<Model, Error> {
         }
     };
     let total: usize = raw.iter().map(|part| part.triangles.len()).sum();
-    let mut parts = Vec::new();
+    let (mut parts, mut binds) = (Vec::new(), Vec::new());
     for part in raw {
-        parts.extend(part.finish(path, &mut warnings)?);
+        if let Some((part, bind)) = part.finish(path, &mut warnings)? {
+            parts.push(part);
+            binds.extend(bind);
+        }
     }
     if parts.is_empty() {
         return Err(Error::file(
@@ -69,7 +97,63 @@ pub fn load_mesh(path: &Path) -> Result<Model, Error> {
             },
         ));
     }
-    Ok(Model { parts, warnings })
+    let figure = figure
+        .map(|figure| figure.finish(&parts, binds))
+        .transpose()
+        .map_err(|e| Error::file(path, format!("the glTF is damaged: {e}.")))?;
+    Ok(Model {
+        parts,
+        figure,
+        warnings,
+    })
+}
+
+/// What a part's vertices were before anything moved them, and what carries them.
+pub(crate) struct Bind {
+    pub(crate) positions: Vec<[f32; 3]>,
+    pub(crate) influences: Vec<Influences>,
+}
+
+/// What moves a model, as a file gives it.
+pub(crate) struct RawFigure {
+    pub(crate) joints: Vec<Joint>,
+    pub(crate) bones: Vec<Bone>,
+    pub(crate) clips: Vec<Clip>,
+}
+
+impl RawFigure {
+    /// The figure with a skin for each part.
+    fn finish(self, parts: &[Part], binds: Vec<Bind>) -> Result<Figure, MotionError> {
+        let skeleton = Skeleton::new(self.joints)?;
+        let mut still = Pose::default();
+        still.set(&skeleton, &self.bones, None);
+        let skin = |(part, bind): (&Part, Bind)| {
+            let normals = part.mesh.normals.iter().zip(&bind.influences);
+            let normals: Vec<_> = normals
+                .map(|(normal, influences)| at_rest(*normal, influences, still.bones()))
+                .collect();
+            Skin::new(&bind.positions, &normals, bind.influences)
+        };
+        let skins = parts.iter().zip(binds).map(skin);
+        Ok(Figure {
+            skins: skins.collect::<Result<_, _>>()?,
+            skeleton,
+            bones: self.bones,
+            clips: self.clips,
+        })
+    }
+}
+
+/// The normal that bones make into `normal`: they turn by the inverse of their transpose, so the transpose turns
+/// back.
+fn at_rest(normal: [f32; 3], influences: &Influences, bones: &[Affine3A]) -> [f32; 3] {
+    let n = Vec3A::from(normal);
+    let back = |(bone, weight): (u32, f32)| {
+        let turn = bones.get(bone as usize).map(|b| b.matrix3.transpose());
+        turn.unwrap_or_default() * n * weight
+    };
+    let sum: Vec3A = influences.each().map(back).sum();
+    sum.normalize_or(n).to_array()
 }
 
 /// A part as a file gives it, not yet checked.
@@ -82,11 +166,17 @@ pub(crate) struct RawPart {
     pub(crate) uvs: Vec<[f32; 2]>,
     pub(crate) triangles: Vec<[u32; 3]>,
     pub(crate) material: Material,
+    /// Where the part can move.
+    pub(crate) bind: Option<Bind>,
 }
 
 impl RawPart {
     /// The part with everything checked and made whole; none where it has no triangle with an area.
-    fn finish(mut self, path: &Path, warnings: &mut Vec<String>) -> Result<Option<Part>, Error> {
+    fn finish(
+        mut self,
+        path: &Path,
+        warnings: &mut Vec<String>,
+    ) -> Result<Option<(Part, Option<Bind>)>, Error> {
         let what = if self.name.is_empty() {
             String::new()
         } else {
@@ -147,6 +237,11 @@ impl RawPart {
                 .iter()
                 .map(|i| self.positions[taken(i)])
                 .collect();
+            if let Some(bind) = &mut self.bind {
+                let source = || smoothed.source.iter();
+                bind.positions = source().map(|i| bind.positions[taken(i)]).collect();
+                bind.influences = source().map(|i| bind.influences[taken(i)]).collect();
+            }
             if !self.uvs.is_empty() {
                 self.uvs = smoothed.source.iter().map(|i| self.uvs[taken(i)]).collect();
             }
@@ -158,11 +253,12 @@ impl RawPart {
             uvs: self.uvs,
             triangles: self.triangles,
         };
-        Ok(Some(Part {
+        let part = Part {
             name: self.name,
             mesh,
             material: self.material,
-        }))
+        };
+        Ok(Some((part, self.bind)))
     }
 }
 

@@ -38,6 +38,7 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<RawPart, Error> {
             albedo: crate::WHITE,
             texture: None,
         },
+        bind: None,
     };
     for model in &models {
         let mesh = &model.mesh;

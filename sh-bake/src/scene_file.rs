@@ -2,18 +2,24 @@
 
 use crate::error::{Error, read};
 use crate::keys::{Section, Source};
+use crate::lights;
+use crate::objects::ObjectEntry;
 use glam::Vec3;
-use sh_scene::{Camera, Settings};
+use sh_scene::{AreaLight, Camera, Limits, Settings};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::de::{DeTable, DeValue};
 
 /// A scene file's content, checked but not yet resolved.
 pub(crate) struct SceneFile {
+    /// Whether it is none, but a mesh file.
+    pub(crate) of_mesh: bool,
     pub(crate) objects: Vec<ObjectEntry>,
     pub(crate) map: Option<PathBuf>,
     /// Radians.
     pub(crate) rotation: f32,
+    /// Degrees a second.
+    pub(crate) turn: f32,
     pub(crate) intensity: f32,
     pub(crate) ground: bool,
     pub(crate) ground_height: Option<f32>,
@@ -23,23 +29,11 @@ pub(crate) struct SceneFile {
     /// Radians.
     pub(crate) fov: Option<f32>,
     pub(crate) settings: Settings,
+    pub(crate) lights: Vec<AreaLight>,
 }
 
-/// One of `[[objects]]`.
-pub(crate) struct ObjectEntry {
-    pub(crate) mesh: PathBuf,
-    pub(crate) spheres: usize,
-    pub(crate) translate: [f32; 3],
-    /// Degrees about x, y, z.
-    pub(crate) rotate: [f32; 3],
-    pub(crate) scale: f32,
-    pub(crate) albedo: Option<[f32; 3]>,
-}
-
-/// Spheres for an object that does not say how many.
-const SPHERES: usize = 64;
 /// Coordinates and factors beyond this leave what `f32` can square.
-const FAR: f32 = 1e9;
+pub(crate) const FAR: f32 = 1e9;
 
 impl SceneFile {
     /// Reads a scene file.
@@ -57,16 +51,9 @@ impl SceneFile {
 
     /// A scene of one mesh and nothing else said.
     pub(crate) fn of_mesh(path: &Path) -> Self {
-        let object = ObjectEntry {
-            mesh: path.to_path_buf(),
-            spheres: SPHERES,
-            translate: [0.0; 3],
-            rotate: [0.0; 3],
-            scale: 1.0,
-            albedo: None,
-        };
         Self {
-            objects: vec![object],
+            of_mesh: true,
+            objects: vec![ObjectEntry::of_mesh(path)],
             ..Self::default()
         }
     }
@@ -82,7 +69,14 @@ impl SceneFile {
             source.error(&e.span().unwrap_or(0..0), message)
         })?;
         let (span, root) = (parsed.span(), parsed.get_ref());
-        let top = ["objects", "environment", "ground", "camera", "settings"];
+        let top = [
+            "objects",
+            "lights",
+            "environment",
+            "ground",
+            "camera",
+            "settings",
+        ];
         let root_section = Section::new(source, "", span.clone(), root, &top)?;
 
         let mut scene = Self::default();
@@ -100,11 +94,14 @@ impl SceneFile {
         };
         for entry in entries.iter() {
             let table = table(source, "objects", entry.span(), entry.get_ref())?;
-            scene.objects.push(object(source, entry.span(), table)?);
+            scene
+                .objects
+                .push(ObjectEntry::read(source, entry.span(), table)?);
         }
         if scene.objects.is_empty() {
             return Err(root_section.error("objects", "is empty: a scene needs an [[objects]]."));
         }
+        scene.lights = lights::read(&root_section)?;
         let section = |name: &'static str, known: &[&str]| match root.get(name) {
             None => Ok(None),
             Some(value) => {
@@ -112,10 +109,12 @@ impl SceneFile {
                 Section::new(source, name, value.span(), table, known).map(Some)
             }
         };
-        if let Some(s) = section("environment", &["map", "rotation", "intensity"])? {
+        if let Some(s) = section("environment", &["map", "rotation", "turn", "intensity"])? {
             scene.map = s.string("map")?.map(|map| beside(path, map));
             let rotation = s.number("rotation", "of degrees", |n| n.abs() < FAR)?;
             scene.rotation = rotation.unwrap_or(0.0).to_radians();
+            let turn = s.number("turn", "of degrees a second", |n| n.abs() < FAR)?;
+            scene.turn = turn.unwrap_or(0.0);
             scene.intensity = s
                 .number("intensity", "from 0 to 1e6", |n| (0.0..=1e6).contains(&n))?
                 .unwrap_or(1.0);
@@ -143,7 +142,14 @@ impl SceneFile {
                 }
             }
         }
-        let known = ["order", "accumulation_order", "window", "shadows"];
+        let known = [
+            "order",
+            "accumulation_order",
+            "window",
+            "shadows",
+            "half_resolution",
+            "blocker_angle",
+        ];
         if let Some(s) = section("settings", &known)? {
             let settings = &mut scene.settings;
             if let Some(order) = s.count("order", 2..=6)? {
@@ -160,9 +166,24 @@ impl SceneFile {
                 settings.accumulation = accumulation;
             }
             if let Some(window) = s.number("window", "above 0", |n| n > 0.0)? {
-                settings.window = window;
+                settings.window = Some(window);
             }
             settings.shadows = s.boolean("shadows")?.unwrap_or(true);
+            let half = s.boolean("half_resolution")?;
+            settings.half_resolution = half.unwrap_or(settings.half_resolution);
+            // Beyond 30° a node's logarithm is no measure for that of its leaves.
+            let angle = s.number("blocker_angle", "of degrees from 0 to 30", |n| {
+                (0.0..=30.0).contains(&n)
+            })?;
+            if let Some(angle) = angle {
+                settings.limits = match angle {
+                    0.0 => Limits::LEAVES,
+                    angle => Limits {
+                        sin_max: angle.to_radians().sin(),
+                        ..settings.limits
+                    },
+                };
+            }
         }
         Ok(scene)
     }
@@ -172,9 +193,11 @@ impl Default for SceneFile {
     /// What holds where a file says nothing.
     fn default() -> Self {
         Self {
+            of_mesh: false,
             objects: Vec::new(),
             map: None,
             rotation: 0.0,
+            turn: 0.0,
             intensity: 1.0,
             ground: true,
             ground_height: None,
@@ -183,38 +206,13 @@ impl Default for SceneFile {
             target: None,
             fov: None,
             settings: Settings::default(),
+            lights: Vec::new(),
         }
     }
 }
 
-fn object<'a>(
-    source: Source<'a>,
-    span: Range<usize>,
-    table: &'a DeTable<'a>,
-) -> Result<ObjectEntry, Error> {
-    let known = ["mesh", "spheres", "translate", "rotate", "scale", "albedo"];
-    let s = Section::new(source, "objects", span, table, &known)?;
-    let Some(mesh) = s.string("mesh")? else {
-        return Err(s.error("mesh", "is missing: it names the object's mesh file."));
-    };
-    Ok(ObjectEntry {
-        mesh: beside(source.path, mesh),
-        spheres: s.count("spheres", 1..=4096)?.unwrap_or(SPHERES),
-        translate: s
-            .triple("translate", "of metres", false, |n| n.abs() < FAR)?
-            .unwrap_or_default(),
-        rotate: s
-            .triple("rotate", "of degrees", false, |n| n.abs() < FAR)?
-            .unwrap_or_default(),
-        scale: s
-            .number("scale", "above 0 and below 1e9", |n| n > 1e-9 && n < FAR)?
-            .unwrap_or(1.0),
-        albedo: albedo(&s)?,
-    })
-}
-
 /// Reflectances.
-fn albedo(section: &Section) -> Result<Option<[f32; 3]>, Error> {
+pub(crate) fn albedo(section: &Section) -> Result<Option<[f32; 3]>, Error> {
     section.triple("albedo", "from 0 to 1", true, |n| (0.0..=1.0).contains(&n))
 }
 
@@ -231,7 +229,7 @@ fn table<'a>(
 }
 
 /// A path as the scene file means it.
-fn beside(scene: &Path, path: &str) -> PathBuf {
+pub(crate) fn beside(scene: &Path, path: &str) -> PathBuf {
     scene.parent().unwrap_or(Path::new("")).join(path)
 }
 
@@ -262,9 +260,19 @@ mod tests {
             .map(|line| line.trim_start_matches("//!").to_string() + "\n")
             .collect();
         let scene = parse(&example).unwrap();
-        assert_eq!(scene.objects[0].rotate, [0.0, 90.0, 0.0]);
+        let turned = glam::Quat::from_rotation_y(90.0_f32.to_radians());
+        assert!(scene.objects[0].place.rotation.abs_diff_eq(turned, 1e-6));
+        let keys = scene.objects[0].keys.as_ref().unwrap();
+        assert_eq!(keys.duration(), 2.0);
+        assert_eq!(scene.objects[0].clip.as_ref().unwrap().name, "Walk");
+        assert!(scene.turn > 0.0);
         assert_eq!(scene.eye, Some([3.0, 2.0, 5.0]));
-        assert_eq!((scene.settings.order, scene.settings.window), (4, 8.0));
+        assert_eq!(
+            (scene.settings.order, scene.settings.window),
+            (4, Some(8.0))
+        );
+        assert_eq!(scene.lights.len(), 2);
+        assert!(!scene.settings.half_resolution);
         assert_eq!(scene.settings.accumulation, 6);
     }
 
@@ -344,6 +352,30 @@ mod tests {
             ),
             ("[settings]\nwindow = -1", "line 4: settings.window is -1"),
             (
+                "[settings]\nblocker_angle = 31",
+                "line 4: settings.blocker_angle is 31, but it has to be a number of degrees from 0 to 30.",
+            ),
+            (
+                "[lights]\nradiance = 1",
+                "line 3: lights has to be a list of tables, not a table.",
+            ),
+            (
+                "[[lights]]\nradiance = 1",
+                "line 3: lights.direction is missing: a light needs a direction and an angle, or a center and a radius.",
+            ),
+            (
+                "[[lights]]\ncenter = [0, 1, 0]\nradius = 0",
+                "line 5: lights.radius is 0, but it has to be a number of metres above 0.",
+            ),
+            (
+                "[[lights]]\ncenter = [0, 1, 0]\nangle = 2",
+                "line 5: lights.angle has no place beside center: a light needs a direction and an angle, or a center and a radius.",
+            ),
+            (
+                "[[lights]]\ndirection = [0, 0, 0]\nangle = 2",
+                "line 4: lights.direction has no length, so there is nowhere to shine from.",
+            ),
+            (
                 "[settings]\nshadows = 1",
                 "line 4: settings.shadows has to be true or false, not a number.",
             ),
@@ -381,9 +413,10 @@ mod tests {
             scene.unwrap().settings
         };
         assert_eq!(settings("order = 6"), Settings::default().with_order(6));
-        assert_eq!(settings("order = 2").window, 4.0);
+        assert_eq!(settings("order = 2").window, None);
+        assert_eq!(settings("order = 2\nwindow = 5").window, Some(5.0));
         let both = settings("accumulation_order = 6\norder = 3");
-        assert_eq!((both.order, both.accumulation, both.window), (3, 6, 6.0));
+        assert_eq!((both.order, both.accumulation, both.window), (3, 6, None));
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! Every file of `tests/corpus` is wrong in one way, and says so in a sentence that names the file and what
 //! in it is wrong.
 
-use sh_bake::{load_environment, load_mesh, load_scene};
+use sh_bake::{Model, load_environment, load_mesh, load_scene};
+use sh_scene::motion::{Anchors, Pose, Rig};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -18,6 +19,58 @@ const WRONG: &[(&str, &[&str])] = &[
     (
         "accessor_past_end.gltf",
         &["mesh 0 (flag), primitive 0: POSITION: accessor 0 reads past the end"],
+    ),
+    ("animation_accessor.gltf", &["the glTF is damaged"]),
+    (
+        "animation_count.gltf",
+        &["animations[0].channels[1]: there are 6 values for 2 times, but 2 are needed"],
+    ),
+    (
+        "animation_far.gltf",
+        &["animations[0].channels[1]", "within ±1e9"],
+    ),
+    (
+        "animation_infinite.gltf",
+        &["animations[1].channels[0]", "inf"],
+    ),
+    ("animation_interpolation.gltf", &["the glTF is damaged"]),
+    (
+        "animation_node.gltf",
+        &["animations[1].channels[0] names node 9, but there are 4"],
+    ),
+    (
+        "animation_past_end.gltf",
+        &[
+            "animations[0].channels[1]",
+            "the sampler's input: accessor 5 reads past the end",
+        ],
+    ),
+    (
+        "animation_path.gltf",
+        &["animations[1].channels[1].target.path has to be translation, rotation"],
+    ),
+    (
+        "animation_rotation_zero.gltf",
+        &["animations[0].channels[0]: key 1 has", "other than zero"],
+    ),
+    (
+        "animation_sampler.gltf",
+        &["animations[1].channels[1] names sampler 7, but there are 2"],
+    ),
+    (
+        "animation_time_nan.gltf",
+        &["animations[0].channels[0]: key 1 is at NaN seconds"],
+    ),
+    (
+        "animation_times.gltf",
+        &[
+            "animations[0].channels[0]: key 2 is at 1 seconds",
+            "above the one before",
+        ],
+    ),
+    (
+        "animation_type.gltf",
+        &["animations[0].channels[0]: the sampler's output: accessor 0 holds Vec3"],
     ),
     ("b44_overflow.exr", &["the image cannot be decoded"]),
     (
@@ -173,6 +226,94 @@ const WRONG_SCENES: &[(&str, &str, &[&str])] = &[
         &["pixel (column 2, row 1) has green -0.5"],
     ),
     ("bad_mesh.toml", "no_faces.obj", &["no triangles"]),
+    (
+        "clip_of_none.toml",
+        "",
+        &[
+            "line 4",
+            "triangle.glb: there is no clip `0`",
+            "the file has none",
+        ],
+    ),
+    (
+        "clip_too_far.toml",
+        "bursting.gltf",
+        &["the clip takes a vertex to the coordinate", "within ±1e9"],
+    ),
+    (
+        "clip_unknown.toml",
+        "",
+        &[
+            "line 3",
+            "animated.gltf: there is no clip `Walk`",
+            "`Wave`, `Roll`",
+        ],
+    ),
+    (
+        "clip_wrong_kind.toml",
+        "",
+        &[
+            "line 3",
+            "objects.clip has to be a string or a whole number, not a list",
+        ],
+    ),
+    (
+        "keys_empty.toml",
+        "",
+        &["line 3", "objects.keys", "at least one is needed"],
+    ),
+    (
+        "keys_negative_time.toml",
+        "",
+        &["line 3", "objects.keys.time is -1"],
+    ),
+    (
+        "keys_no_list.toml",
+        "",
+        &[
+            "line 3",
+            "objects.keys has to be a list of tables, not a number",
+        ],
+    ),
+    (
+        "keys_no_tables.toml",
+        "",
+        &["line 3", "objects.keys has a number in it"],
+    ),
+    (
+        "keys_no_time.toml",
+        "",
+        &["line 3", "objects.keys.time is missing"],
+    ),
+    (
+        "keys_order.toml",
+        "",
+        &["line 5", "objects.keys.time is 0.5", "one before is at 1"],
+    ),
+    (
+        "keys_typo.toml",
+        "",
+        &[
+            "line 3",
+            "`tranlate`",
+            "in [objects.keys]",
+            "did you mean `translate`?",
+        ],
+    ),
+    (
+        "repeat_of_nothing.toml",
+        "",
+        &["line 3", "objects.repeat", "there are no keys"],
+    ),
+    (
+        "turn_wrong_kind.toml",
+        "",
+        &[
+            "line 4",
+            "environment.turn has to be a number",
+            "not a string",
+        ],
+    ),
     (
         "control_character.toml",
         "",
@@ -357,6 +498,7 @@ fn a_file_cut_off_anywhere_never_panics() {
         "polygon.obj",
         "mirrored.gltf",
         "skinned.gltf",
+        "animated.gltf",
         "ramp.exr",
         "grey.hdr",
     ] {
@@ -377,20 +519,45 @@ fn a_file_cut_off_anywhere_never_panics() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
+/// Poses a model by all its clips, at all kinds of times.
+fn play(model: &Model) {
+    let Some(figure) = &model.figure else {
+        return;
+    };
+    for clip in &figure.clips {
+        let rig = Rig::new(
+            figure.skeleton.clone(),
+            figure.bones.clone(),
+            clip.clone(),
+            figure.skins.clone(),
+            Anchors::default(),
+        );
+        let rig = rig.expect("a rig that was read is one");
+        let mut pose = Pose::default();
+        for seconds in [-1.0, 0.0, 0.7, 1e9] {
+            rig.set(seconds, &mut pose);
+            for (skin, part) in rig.skins().iter().zip(&model.parts) {
+                skin.pose(pose.bones(), &mut part.mesh.clone());
+            }
+        }
+    }
+}
+
 #[test]
 fn a_gltf_with_any_number_or_key_changed_never_panics() {
     let good = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good");
     let folder = std::env::temp_dir().join(format!("sh-bake-changed-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let mut tried = 0;
-    for name in ["mirrored.gltf", "skinned.gltf"] {
+    for name in ["mirrored.gltf", "skinned.gltf", "animated.gltf"] {
         let text = std::fs::read_to_string(good.join(name)).unwrap();
         let path = folder.join(name);
         let mut attempt = |changed: String| {
             tried += 1;
             std::fs::write(&path, changed).unwrap();
-            if let Err(error) = load_mesh(&path) {
-                assert!(error.to_string().contains(name), "{error}");
+            match load_mesh(&path) {
+                Ok(model) => play(&model),
+                Err(error) => assert!(error.to_string().contains(name), "{error}"),
             }
         };
         // Numbers and keys stand on lines of their own.

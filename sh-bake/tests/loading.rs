@@ -81,16 +81,20 @@ fn environments_are_read_as_radiance() {
 
 #[test]
 fn the_smallest_scene_gets_a_sensible_rest() {
-    let (scene, report) = load_scene(&good("smallest.toml")).unwrap();
+    let loaded = load_scene(&good("smallest.toml")).unwrap();
+    let (scene, report) = (loaded.scene, loaded.report);
+    assert!(loaded.motion.is_still());
     assert_eq!(scene.objects.len(), 1);
     assert_eq!(report.fits.len(), 1);
     assert!(
-        report.fits[0].outside_volume_ratio.is_none(),
-        "a pentagon encloses nothing"
+        report.fits[0]
+            .outside_volume_ratio
+            .is_none_or(|ratio| ratio > 3.0),
+        "a pentagon and a flag on its edge enclose next to nothing"
     );
     let [low, _] = scene.bounds().unwrap();
     assert_eq!(scene.ground.unwrap().height, low.y);
-    assert_eq!((scene.settings.order, scene.settings.window), (4, 8.0));
+    assert_eq!((scene.settings.order, scene.settings.window), (4, None));
     let up = scene.environment.sample(Vec3::Y);
     assert!(up[2] > up[0], "a blue sky");
     assert!(scene.light().unwrap().irradiance([0.0, 1.0, 0.0])[1] > 0.1);
@@ -98,7 +102,7 @@ fn the_smallest_scene_gets_a_sensible_rest() {
 
 #[test]
 fn a_mesh_file_is_a_scene() {
-    let (scene, _) = load_scene(&good("triangle.glb")).unwrap();
+    let scene = load_scene(&good("triangle.glb")).unwrap().scene;
     assert_eq!(
         scene.objects[0].name,
         "triangle.glb: mesh 0 (flag), primitive 0"
@@ -124,7 +128,7 @@ fn a_camera_always_looks_somewhere() {
                 good("grey.hdr"),
             );
             std::fs::write(&path, text).unwrap();
-            let (scene, _) = load_scene(&path).unwrap();
+            let scene = load_scene(&path).unwrap().scene;
             let view = View {
                 camera: scene.camera,
                 width: 4,
@@ -142,7 +146,7 @@ fn a_camera_always_looks_somewhere() {
 
 #[test]
 fn a_full_scene_is_taken_at_its_word() {
-    let (scene, _) = load_scene(&good("full.toml")).unwrap();
+    let scene = load_scene(&good("full.toml")).unwrap().scene;
     let quad = &scene.objects[0];
     let expected = Affine3A::from_translation(Vec3::new(0.0, 2.0, 0.0))
         * Affine3A::from_rotation_y(90.0_f32.to_radians())
@@ -163,7 +167,7 @@ fn a_full_scene_is_taken_at_its_word() {
             scene.settings.window,
             scene.settings.shadows
         ),
-        (5, 6, 7.5, false)
+        (5, 6, Some(7.5), false)
     );
     // Turned by a quarter: one of the map's four columns, and doubled.
     let turned = load_environment(&good("ramp.exr")).unwrap();

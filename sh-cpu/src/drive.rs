@@ -1,20 +1,21 @@
 //! Running a kernel over receivers: lanes side by side, groups of lanes in chunks, chunks on threads.
 //!
 //! ```text
-//! receivers  |---- chunk ----|---- chunk ----|--     one task of the thread pool each
-//!            |8|8|8|8|8|8|8|8|                       one call of the kernel each (4, 8 or 16 lanes)
+//! receivers  |---- cluster ----|------ cluster ------|--
+//!            |-- chunk --|chunk|-- chunk --|- chunk -|      one task of the thread pool each
+//!            |8|8|8|8|8|8|8|8|8|                            one call of the kernel each (4, 8 or 16 lanes)
 //! ```
-//! Chunks and groups lie at fixed places, so the result does not depend on the number of threads. A chunk
-//! allocates nothing.
+//! Chunks and groups lie at fixed places in their cluster, so the result does not depend on the number of threads.
+//! Nothing is allocated.
 
-use crate::lanes::{Lanes4, Lanes8, Lanes16};
+use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
 use crate::outline::{Outline, OutlineAll};
 use crate::resolve::check_length;
 use crate::{Error, Path};
-use fearless_simd::{Level, Simd};
-use rayon::prelude::*;
+use fearless_simd::Simd;
 use sh_core::{Lane, Routines};
 use sh_scene::{Light, Receiver};
+use std::ops::Range;
 
 /// Receivers a task: some hundred microseconds of work with a hundred blockers.
 const CHUNK: usize = 256;
@@ -26,8 +27,9 @@ pub(crate) const MAX_ORDER: usize = 6;
 /// What is computed for a receiver.
 pub(crate) trait Kernel: Sync {
     /// Red, green and blue radiance reflected by albedo 1. `C` is the number of SH coefficients.
-    fn shade<L: OutlineAll + Outline<C>, const C: usize>(
+    fn shade<L: Group + OutlineAll + Outline<C>, const C: usize>(
         &self,
+        at: &Place<L>,
         position: [L; 3],
         normal: [L; 3],
     ) -> [L; 3]
@@ -35,34 +37,73 @@ pub(crate) trait Kernel: Sync {
         [L; C]: Routines<L>;
 }
 
+/// Which receivers a group of lanes holds.
+pub(crate) struct Place<L: Group> {
+    /// The cluster they belong to.
+    pub(crate) cluster: usize,
+    /// The receiver of each lane.
+    receivers: L::Of<usize>,
+    token: L::Token,
+}
+
+impl<L: Group> Place<L> {
+    /// A number for each lane's receiver.
+    #[inline(always)]
+    pub(crate) fn gather(&self, value: impl Fn(usize) -> f32) -> L {
+        let receivers = self.receivers.as_ref();
+        L::gather(
+            self.token,
+            #[inline(always)]
+            |i| value(receivers[i]),
+        )
+    }
+}
+
 /// A lane type that is loaded and stored number by number.
-trait Group: Lane {
+pub(crate) trait Group: Lane {
     /// Numbers side by side.
     const COUNT: usize;
+    /// Something of each lane.
+    type Of<T: Copy + Sync>: Copy + AsRef<[T]> + Sync;
     /// The proof that the processor has the instructions.
-    type Token: Copy;
+    type Token: Copy + Sync;
+    fn each<T: Copy + Sync>(value: impl Fn(usize) -> T) -> Self::Of<T>;
     fn gather(token: Self::Token, value: impl Fn(usize) -> f32) -> Self;
-    fn scatter(self, take: impl FnMut(usize, f32));
+    fn store(self) -> Self::Of<f32>;
 }
 
 impl Group for f32 {
     const COUNT: usize = 1;
+    type Of<T: Copy + Sync> = [T; 1];
     type Token = ();
+    #[inline(always)]
+    fn each<T: Copy + Sync>(value: impl Fn(usize) -> T) -> [T; 1] {
+        [value(0)]
+    }
     #[inline(always)]
     fn gather((): (), value: impl Fn(usize) -> f32) -> Self {
         value(0)
     }
     #[inline(always)]
-    fn scatter(self, mut take: impl FnMut(usize, f32)) {
-        take(0, self);
+    fn store(self) -> [f32; 1] {
+        [self]
     }
 }
 
 macro_rules! group {
-    ($lanes:ident) => {
+    ($lanes:ident, $count:literal) => {
         impl<S: Simd> Group for $lanes<S> {
-            const COUNT: usize = $lanes::<S>::COUNT;
+            const COUNT: usize = $count;
+            type Of<T: Copy + Sync> = [T; $count];
             type Token = S;
+            #[inline(always)]
+            fn each<T: Copy + Sync>(value: impl Fn(usize) -> T) -> [T; $count] {
+                let mut all = [value(0); $count];
+                for (i, slot) in all.iter_mut().enumerate() {
+                    *slot = value(i);
+                }
+                all
+            }
             #[inline(always)]
             fn gather(token: S, value: impl Fn(usize) -> f32) -> Self {
                 let mut values = [0.0; _];
@@ -72,81 +113,118 @@ macro_rules! group {
                 Self::from_array(token, values)
             }
             #[inline(always)]
-            fn scatter(self, mut take: impl FnMut(usize, f32)) {
-                for (i, value) in self.to_array().into_iter().enumerate() {
-                    take(i, value);
-                }
+            fn store(self) -> [f32; $count] {
+                self.to_array()
             }
         }
     };
 }
 
-group!(Lanes4);
-group!(Lanes8);
-group!(Lanes16);
+group!(Lanes1, 1);
+group!(Lanes4, 4);
+group!(Lanes8, 8);
+group!(Lanes16, 16);
 
-/// Calls `groups` within the instruction set of `$path`, in lanes that fill its registers. `dispatch!` would
-/// compile every level; on x86 these are the ones that somebody runs.
+/// Work that is written once for every kind of lane.
+pub(crate) trait Job {
+    fn run<G: Group + OutlineAll + Outline<C>, const C: usize>(self, token: G::Token)
+    where
+        [G; C]: Routines<G>;
+}
+
+/// Runs `$job` within the instruction set of `$path`, in lanes that fill its registers, with `$c` coefficients.
+/// `dispatch!` would compile every level; on x86 these are the ones that somebody runs. (A macro, because a generic
+/// function cannot say that its number of coefficients suits every instruction set.)
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 macro_rules! enter {
-    ($path:expr, $receivers:expr, $radiance:expr, $kernel:expr, $k:ty, $c:literal) => {{
+    ($path:expr, $job:expr, $c:literal) => {{
+        use fearless_simd::{Level, Simd};
+        use $crate::Path;
+        use $crate::drive::Job;
+        use $crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
+        let (path, job) = ($path, $job);
         macro_rules! with {
             ($simd:expr, $lanes:ident) => {{
                 let simd = $simd;
                 simd.vectorize(
                     #[inline(always)]
-                    || groups::<$lanes<_>, $k, $c>(simd, $receivers, $radiance, $kernel),
+                    || job.run::<$lanes<_>, $c>(simd),
                 )
             }};
         }
-        let level = match $path {
+        let level = match path {
             Path::Scalar => None,
-            Path::Vector(level) => Some(level),
+            Path::One(level) | Path::Vector(level) => Some(level),
         };
         // A level has those below it.
-        if let Some(avx512) = level.and_then(Level::as_avx512) {
+        if let (Path::One(_), Some(avx2)) = (path, level.and_then(Level::as_avx2)) {
+            with!(avx2, Lanes1)
+        } else if let (Path::One(_), Some(sse2)) = (path, level.and_then(Level::as_sse2)) {
+            with!(sse2, Lanes1)
+        } else if let Some(avx512) = level.and_then(Level::as_avx512) {
             with!(avx512, Lanes16)
         } else if let Some(avx2) = level.and_then(Level::as_avx2) {
             with!(avx2, Lanes8)
         } else if let Some(sse2) = level.and_then(Level::as_sse2) {
             with!(sse2, Lanes4)
         } else {
-            groups::<f32, $k, $c>((), $receivers, $radiance, $kernel)
+            job.run::<f32, $c>(())
         }
     }};
 }
 
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 macro_rules! enter {
-    ($path:expr, $receivers:expr, $radiance:expr, $kernel:expr, $k:ty, $c:literal) => {
+    ($path:expr, $job:expr, $c:literal) => {{
+        use $crate::Path;
+        use $crate::drive::Job;
+        use $crate::lanes::{Lanes1, Lanes4};
+        let job = $job;
         match $path {
-            Path::Scalar => groups::<f32, $k, $c>((), $receivers, $radiance, $kernel),
+            Path::Scalar => job.run::<f32, $c>(()),
+            Path::One(level) => fearless_simd::dispatch!(level, simd => {
+                job.run::<Lanes1<_>, $c>(simd)
+            }),
             Path::Vector(level) => fearless_simd::dispatch!(level, simd => {
-                groups::<Lanes4<_>, $k, $c>(simd, $receivers, $radiance, $kernel)
+                job.run::<Lanes4<_>, $c>(simd)
             }),
         }
+    }};
+}
+
+pub(crate) use enter;
+
+/// What runs one chunk with `$c` coefficients.
+macro_rules! chunk_of {
+    ($k:ty, $c:literal) => {
+        |path, chunk, kernel| enter!(path, Groups { chunk, kernel }, $c)
     };
 }
 
-/// What runs one chunk with `$c` coefficients. (A macro, because a generic function cannot say that its number
-/// of coefficients suits every instruction set.)
-macro_rules! chunk_of {
-    ($k:ty, $c:literal) => {
-        |path, receivers, radiance, kernel| enter!(path, receivers, radiance, kernel, $k, $c)
-    };
+/// Receivers of one cluster, and where their radiance goes.
+pub(crate) struct Chunk<'a> {
+    cluster: usize,
+    /// Index of the first receiver.
+    first: usize,
+    receivers: &'a [Receiver],
+    radiance: &'a mut [[f32; 3]],
+}
+
+/// What a run works on.
+pub(crate) struct Work<'a> {
+    pub(crate) path: Path,
+    pub(crate) receivers: &'a [Receiver],
+    /// Ranges of the receivers, one after another, together all of them.
+    pub(crate) clusters: &'a [Range<usize>],
+    pub(crate) radiance: &'a mut [[f32; 3]],
 }
 
 /// Runs `kernel` for every receiver. Radiance is 0 where a receiver is not covered.
-pub(crate) fn drive<K: Kernel>(
-    path: Path,
-    receivers: &[Receiver],
-    light: &Light,
-    radiance: &mut [[f32; 3]],
-    kernel: &K,
-) -> Result<(), Error> {
-    check_length("radiance", receivers.len(), radiance.len())?;
+pub(crate) fn drive<K: Kernel>(work: Work, light: &Light, kernel: &K) -> Result<(), Error> {
+    check_length("radiance", work.receivers.len(), work.radiance.len())?;
     check_light(light)?;
-    let run: fn(Path, &[Receiver], &mut [[f32; 3]], &K) = match light.order {
+    check_clusters(work.clusters, work.receivers.len())?;
+    let run: fn(Path, Chunk, &K) = match light.order {
         2 => chunk_of!(K, 4),
         3 => chunk_of!(K, 9),
         4 => chunk_of!(K, 16),
@@ -154,11 +232,81 @@ pub(crate) fn drive<K: Kernel>(
         6 => chunk_of!(K, 36),
         order => return Err(Error::Order { order }),
     };
-    receivers
-        .par_chunks(CHUNK)
-        .zip(radiance.par_chunks_mut(CHUNK))
-        .for_each(|(receivers, radiance)| run(path, receivers, radiance, kernel));
+    let path = work.path;
+    split(work, 0, &|chunk| run(path, chunk, kernel));
     Ok(())
+}
+
+/// Halves the clusters, and then a cluster's receivers, until there are chunks.
+fn split(work: Work, cluster: usize, run: &(impl Fn(Chunk) + Sync)) {
+    let Work {
+        path,
+        receivers,
+        clusters,
+        radiance,
+    } = work;
+    let Some(first) = clusters.first().map(|range| range.start) else {
+        return;
+    };
+    if clusters.len() == 1 {
+        let chunk = Chunk {
+            cluster,
+            first,
+            receivers,
+            radiance,
+        };
+        return split_chunk(chunk, run);
+    }
+    let half = clusters.len() / 2;
+    let (left, right) = clusters.split_at(half);
+    let (near, far) = receivers.split_at(right[0].start - first);
+    let (low, high) = radiance.split_at_mut(right[0].start - first);
+    let part = |receivers, clusters, radiance| Work {
+        path,
+        receivers,
+        clusters,
+        radiance,
+    };
+    let (a, b) = (part(near, left, low), part(far, right, high));
+    rayon::join(|| split(a, cluster, run), || split(b, cluster + half, run));
+}
+
+fn split_chunk(chunk: Chunk, run: &(impl Fn(Chunk) + Sync)) {
+    let count = chunk.receivers.len();
+    if count <= CHUNK {
+        return run(chunk);
+    }
+    // Halves that are whole groups of lanes.
+    let half = count.div_ceil(2).next_multiple_of(16);
+    let (near, far) = chunk.receivers.split_at(half);
+    let (low, high) = chunk.radiance.split_at_mut(half);
+    let part = |first, receivers, radiance| Chunk {
+        cluster: chunk.cluster,
+        first,
+        receivers,
+        radiance,
+    };
+    let (a, b) = (
+        part(chunk.first, near, low),
+        part(chunk.first + half, far, high),
+    );
+    rayon::join(|| split_chunk(a, run), || split_chunk(b, run));
+}
+
+/// Whether clusters follow each other and hold all receivers.
+pub(crate) fn check_clusters(clusters: &[Range<usize>], receivers: usize) -> Result<(), Error> {
+    let mut next = 0;
+    for (index, range) in clusters.iter().enumerate() {
+        if range.start != next || range.end < next {
+            return Err(Error::Clusters {
+                index,
+                range: range.clone(),
+                next,
+            });
+        }
+        next = range.end;
+    }
+    check_length("clusters", receivers, next)
 }
 
 /// Whether a light is of an order that there is, and whole.
@@ -175,45 +323,74 @@ pub(crate) fn check_light(light: &Light) -> Result<(), Error> {
 
 /// One chunk, group by group. A lane whose receiver is not covered, or missing at the end, repeats the
 /// group's first covered one, so that it neither adds work nor brings in numbers that mean nothing.
-#[inline(always)]
-fn groups<G: Group + OutlineAll + Outline<C>, K: Kernel, const C: usize>(
-    token: G::Token,
-    receivers: &[Receiver],
-    radiance: &mut [[f32; 3]],
-    kernel: &K,
-) where
-    [G; C]: Routines<G>,
-{
-    for (receivers, radiance) in receivers
-        .chunks(G::COUNT)
-        .zip(radiance.chunks_mut(G::COUNT))
+struct Groups<'a, K> {
+    chunk: Chunk<'a>,
+    kernel: &'a K,
+}
+
+impl<K: Kernel> Job for Groups<'_, K> {
+    #[inline(always)]
+    fn run<G: Group + OutlineAll + Outline<C>, const C: usize>(self, token: G::Token)
+    where
+        [G; C]: Routines<G>,
     {
-        radiance.fill([0.0; 3]);
-        let Some(spare) = receivers.iter().find(|receiver| receiver.covered != 0) else {
-            continue;
-        };
-        let at = |i: usize| {
-            receivers
-                .get(i)
-                .filter(|receiver| receiver.covered != 0)
-                .unwrap_or(spare)
-        };
-        // Plain loops and array literals: closures of the standard library's array functions are not always
-        // inlined, and would be compiled without the instruction set.
-        let position = |k: usize| G::gather(token, |i| at(i).position[k]);
-        let normal = |k: usize| G::gather(token, |i| at(i).normal[k]);
-        let position = [position(0), position(1), position(2)];
-        let normal = [normal(0), normal(1), normal(2)];
-        let shaded = kernel.shade::<G, C>(position, normal);
-        for (k, channel) in shaded.into_iter().enumerate() {
-            channel.scatter(|i, value| {
-                if receivers
-                    .get(i)
-                    .is_some_and(|receiver| receiver.covered != 0)
-                {
-                    radiance[i][k] = value;
-                }
-            });
+        let Self { chunk, kernel } = self;
+        let groups = chunk.receivers.chunks(G::COUNT);
+        for (index, (receivers, radiance)) in
+            groups.zip(chunk.radiance.chunks_mut(G::COUNT)).enumerate()
+        {
+            let count = receivers.len();
+            let covered = |i: usize| i < count && receivers[i].covered != 0;
+            let Some(spare) = (0..count).find(|&i| covered(i)) else {
+                radiance.fill([0.0; 3]);
+                continue;
+            };
+            let lanes = G::each(
+                #[inline(always)]
+                |i| if covered(i) { i } else { spare },
+            );
+            let held = G::each(
+                #[inline(always)]
+                |i| receivers[lanes.as_ref()[i]],
+            );
+            let held = held.as_ref();
+            let first = chunk.first + index * G::COUNT;
+            let place = Place {
+                cluster: chunk.cluster,
+                receivers: G::each(
+                    #[inline(always)]
+                    |i| first + lanes.as_ref()[i],
+                ),
+                token,
+            };
+            // Plain loops and array literals: closures of the standard library's array functions are not always
+            // inlined, and would be compiled without the instruction set.
+            let position = |k: usize| {
+                G::gather(
+                    token,
+                    #[inline(always)]
+                    |i| held[i].position[k],
+                )
+            };
+            let normal = |k: usize| {
+                G::gather(
+                    token,
+                    #[inline(always)]
+                    |i| held[i].normal[k],
+                )
+            };
+            let position = [position(0), position(1), position(2)];
+            let normal = [normal(0), normal(1), normal(2)];
+            let [red, green, blue] = kernel.shade::<G, C>(&place, position, normal);
+            let (red, green, blue) = (red.store(), green.store(), blue.store());
+            let (red, green, blue) = (red.as_ref(), green.as_ref(), blue.as_ref());
+            for (i, radiance) in radiance.iter_mut().enumerate() {
+                *radiance = if covered(i) {
+                    [red[i], green[i], blue[i]]
+                } else {
+                    [0.0; 3]
+                };
+            }
         }
     }
 }

@@ -38,6 +38,31 @@ pub enum Error {
         /// Entries found.
         found: usize,
     },
+    /// Clusters that leave receivers out or hold some twice.
+    #[error(
+        "cluster {index} holds receivers {} to {}, but it has to begin at {next}, where the one before it ends",
+        range.start, range.end
+    )]
+    Clusters {
+        /// Which cluster.
+        index: usize,
+        /// What it holds.
+        range: std::ops::Range<usize>,
+        /// Where it should begin.
+        next: usize,
+    },
+    /// Baked log visibilities of another order or number than the pass needs.
+    #[error(
+        "there are {found} baked numbers, but {expected} are needed: {coefficients} for each receiver"
+    )]
+    Baked {
+        /// Numbers needed.
+        expected: usize,
+        /// Numbers found.
+        found: usize,
+        /// Numbers a receiver.
+        coefficients: usize,
+    },
     /// A mesh, texture or transform of an object that contradicts itself.
     #[error("object {index} (\"{name}\"): {problem}")]
     Object {
@@ -76,7 +101,7 @@ pub enum Error {
     },
     /// A plan without a pass that the picture needs.
     #[error(
-        "the plan has no {missing} pass: a picture needs gbuffer, irradiance or shadow, and resolve"
+        "the plan has no {missing} pass: a picture needs gbuffer, one of irradiance, shadow and upsample, and resolve"
     )]
     Plan {
         /// The pass that is missing.
@@ -84,7 +109,7 @@ pub enum Error {
     },
     /// A plan whose passes read what is not there yet.
     #[error(
-        "the plan's passes are out of order: gbuffer comes first, then irradiance or shadow, then resolve"
+        "the plan's passes are out of order: gbuffer comes first, then irradiance, shadow or upsample, then resolve"
     )]
     PlanOrder,
     /// Settings that give no light.

@@ -3,14 +3,16 @@
 use crate::gbuffer::{Gbuffer, check_view, gbuffer};
 use crate::irradiance::irradiance;
 use crate::resolve::{check_environment, resolve};
-use crate::shadow::shadow;
-use crate::{Error, Geometry};
-use sh_scene::{Light, PassKind, Plan, Scene, View};
+use crate::shadow::{Shadow, shadow_clusters};
+use crate::upsample::{Failed, Halves, upsample};
+use crate::{CutOptions, Cuts, Error, Geometry, Path};
+use sh_scene::{Forest, Light, PassKind, Plan, Receiver, Resolution, Scene, Settings, Tiles, View};
+use std::ops::Range;
 use std::time::{Duration, Instant};
 
-/// Pixel rows a band. With 1280 columns a band's samples are 3 MB, so that a pass finds in the cache what the
-/// one before it wrote.
-const BAND: u32 = 8;
+/// Rows of tiles a band: 16 rows of pixels. With 1280 columns a band's samples are 6 MB, so that a pass finds in the
+/// cache what the one before it wrote.
+const BAND: u32 = 2;
 
 /// A rendered picture and where its time went.
 #[derive(Clone, Debug)]
@@ -21,18 +23,87 @@ pub struct Frame {
     pub height: u32,
     /// Linear Rec.709 radiance, row by row from the top.
     pub pixels: Vec<[f32; 3]>,
-    /// Wall time of each stage, in the order they ran: `hierarchy` and `light`, which happen once, then the
-    /// passes of the plan by name.
+    /// Wall time of each stage, in the order they first ran: `hierarchy`, `light` and `forest`, which happen once, then
+    /// the passes of the plan by name, `cut` being the part of shadows and upsampling that finds blockers.
     pub stages: Vec<(&'static str, Duration)>,
+    /// Pairs of a receiver and a blocker of its cluster.
+    pub pairs: usize,
+    /// Receivers whose shadow was computed.
+    pub shadowed: usize,
+}
+
+/// Adds up the time of stages.
+#[derive(Default)]
+struct Stages(Vec<(&'static str, Duration)>);
+
+impl Stages {
+    fn time<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let result = work();
+        let spent = start.elapsed();
+        match self.0.iter_mut().find(|(name, _)| *name == stage) {
+            Some((_, sum)) => *sum += spent,
+            None => self.0.push((stage, spent)),
+        }
+        result
+    }
+}
+
+/// The shadow pass of a picture, with its blockers and what it counts.
+struct Shadows<'a> {
+    forest: Forest,
+    cuts: Cuts,
+    light: &'a Light,
+    settings: Settings,
+    pairs: usize,
+    shadowed: usize,
+}
+
+impl Shadows<'_> {
+    fn shade(
+        &mut self,
+        receivers: &[Receiver],
+        clusters: &[Range<usize>],
+        radiance: &mut [[f32; 3]],
+        stages: &mut Stages,
+    ) -> Result<(), Error> {
+        let Settings {
+            limits,
+            accumulation,
+            ..
+        } = self.settings;
+        let options = CutOptions {
+            limits,
+            ratios: true,
+            accumulation,
+        };
+        let Self { forest, cuts, .. } = self;
+        stages.time("cut", || {
+            cuts.bound(receivers, clusters, 0..clusters.len());
+            cuts.find(Path::best(), forest, options);
+        });
+        self.pairs += cuts.pairs();
+        self.shadowed += cuts.receivers();
+        let shadow = Shadow {
+            clusters,
+            cuts,
+            light: self.light,
+            accumulation,
+            baked: None,
+        };
+        stages.time("shadow", || {
+            shadow_clusters(Path::best(), receivers, &shadow, radiance)
+        })
+    }
 }
 
 /// Renders `scene` by `plan`, `size` = (width, height) in pixels.
 ///
 /// `progress` is called after each band with the finished part of the picture, 0 to 1.
 ///
-/// The picture is made in horizontal bands, each through all passes, so that memory beyond the pixels stays
-/// at a few megabytes. Work within a band is spread over the threads of the current rayon pool; the result
-/// does not depend on how many there are.
+/// Passes at half resolution run over the whole picture. The rest is made in horizontal bands, each through all
+/// passes, so that memory beyond the pixels stays at a few megabytes. Work is spread over the threads of the current
+/// rayon pool; the result does not depend on how many there are.
 pub fn render(
     scene: &Scene,
     plan: &Plan,
@@ -49,43 +120,73 @@ pub fn render(
     check_environment(&scene.environment)?;
     check_plan(plan)?;
 
-    let start = Instant::now();
-    let geometry = Geometry::new(scene)?;
-    let hierarchy = start.elapsed();
-    let start = Instant::now();
-    let settings = &scene.settings;
-    let light = Light::project(
-        &scene.environment,
-        scene.ground,
-        settings.order,
-        settings.window,
-    )?;
-    let projection = start.elapsed();
-    let spheres = scene.world_spheres();
+    let mut stages = Stages::default();
+    let geometry = stages.time("hierarchy", || Geometry::new(scene))?;
+    let light = stages.time("light", || scene.light())?;
+    let mut shadows = Shadows {
+        forest: stages.time("forest", || match plan.has(PassKind::Shadow) {
+            true => scene.forest(),
+            false => Forest::default(),
+        }),
+        cuts: Cuts::default(),
+        light: &light,
+        settings: scene.settings,
+        pairs: 0,
+        shadowed: 0,
+    };
+    let halves = match plan.has(PassKind::Upsample) {
+        true => half(&geometry, &view, &mut shadows, &mut stages)?,
+        false => Halves::default(),
+    };
 
-    let mut spent = vec![Duration::ZERO; plan.passes.len()];
     let mut pixels = vec![[0.0; 3]; width as usize * height as usize];
     let mut samples = Gbuffer::default();
     let mut radiance = Vec::new();
-    for (band, pixels) in pixels.chunks_mut((BAND * width) as usize).enumerate() {
+    let (mut failed, mut anew) = (Failed::default(), Vec::new());
+    let tile_rows = view.samples().tiles().rows;
+    let pixel_rows = BAND * Tiles::SIDE / View::OVERSAMPLE;
+    let bands = pixels.chunks_mut((pixel_rows * width) as usize);
+    for (band, pixels) in bands.enumerate() {
         let first = band as u32 * BAND;
-        let rows = first..(first + BAND).min(height);
-        for (pass, spent) in plan.passes.iter().zip(&mut spent) {
-            let start = Instant::now();
+        let rows = first..(first + BAND).min(tile_rows);
+        for pass in plan.passes.iter().filter(|p| p.at != Resolution::Halves) {
             match pass.kind {
                 PassKind::Gbuffer => {
-                    let samples_of = |row| row * View::OVERSAMPLE;
-                    let rows = samples_of(rows.start)..samples_of(rows.end);
-                    gbuffer(&geometry, &view, rows, &mut samples)?;
+                    let (rows, grid) = (rows.clone(), view.samples());
+                    stages.time("gbuffer", || {
+                        gbuffer(&geometry, &view, grid, rows, &mut samples)
+                    })?;
                     radiance.resize(samples.receivers.len(), [0.0; 3]);
                 }
-                PassKind::Irradiance => irradiance(&samples.receivers, &light, &mut radiance)?,
+                PassKind::Irradiance => stages.time("irradiance", || {
+                    irradiance(&samples.receivers, &light, &mut radiance)
+                })?,
                 PassKind::Shadow => {
-                    let accumulation = settings.accumulation;
-                    let receivers = &samples.receivers;
-                    shadow(receivers, &spheres, &light, accumulation, &mut radiance)?;
+                    let tiles = Tiles {
+                        rows: rows.len() as u32,
+                        ..view.samples().tiles()
+                    };
+                    let clusters = tiles.clusters();
+                    shadows.shade(&samples.receivers, &clusters, &mut radiance, &mut stages)?;
                 }
-                PassKind::Resolve => {
+                PassKind::Upsample => {
+                    stages.time("upsample", || {
+                        irradiance(&samples.receivers, &light, &mut radiance)?;
+                        let rows = rows.clone();
+                        upsample(&view, &halves, rows, &samples, &mut radiance, &mut failed)
+                    })?;
+                    anew.resize(failed.receivers.len(), [0.0; 3]);
+                    let Failed {
+                        receivers,
+                        clusters,
+                        ..
+                    } = &failed;
+                    shadows.shade(receivers, clusters, &mut anew, &mut stages)?;
+                    for (&index, light) in failed.indices.iter().zip(&anew) {
+                        radiance[index as usize] = *light;
+                    }
+                }
+                PassKind::Resolve => stages.time("resolve", || {
                     let environment = &scene.environment;
                     resolve(
                         &view,
@@ -94,36 +195,65 @@ pub fn render(
                         &radiance,
                         environment,
                         pixels,
-                    )?;
-                }
+                    )
+                })?,
             }
-            *spent += start.elapsed();
         }
-        progress(rows.end as f32 / height as f32);
+        progress(rows.end as f32 / tile_rows as f32);
     }
-
-    let mut stages = vec![("hierarchy", hierarchy), ("light", projection)];
-    stages.extend(plan.passes.iter().map(|pass| pass.kind.name()).zip(spent));
     Ok(Frame {
         width,
         height,
         pixels,
-        stages,
+        stages: stages.0,
+        pairs: shadows.pairs,
+        shadowed: shadows.shadowed,
+    })
+}
+
+/// What is computed at half resolution.
+fn half(
+    geometry: &Geometry,
+    view: &View,
+    shadows: &mut Shadows,
+    stages: &mut Stages,
+) -> Result<Halves, Error> {
+    let grid = view.halves();
+    let tiles = grid.tiles();
+    let mut seen = Gbuffer::default();
+    stages.time("gbuffer", || {
+        gbuffer(geometry, view, grid, 0..tiles.rows, &mut seen)
+    })?;
+    let receivers = seen.receivers;
+    let mut shadowed = vec![[0.0; 3]; receivers.len()];
+    shadows.shade(&receivers, &tiles.clusters(), &mut shadowed, stages)?;
+    stages.time("upsample", || {
+        let mut open = vec![[0.0; 3]; receivers.len()];
+        irradiance(&receivers, shadows.light, &mut open)?;
+        Halves::new(receivers, &shadowed, &open)
     })
 }
 
 /// Whether a plan makes a picture: samples, then light on them, then pixels.
 fn check_plan(plan: &Plan) -> Result<(), Error> {
-    let at = |kinds: &[PassKind]| {
+    let at = |kinds: &[PassKind], resolution: Resolution| {
         plan.passes
             .iter()
-            .position(|pass| kinds.contains(&pass.kind))
+            .position(|pass| pass.at == resolution && kinds.contains(&pass.kind))
     };
+    let (samples, halves) = (Resolution::Samples, Resolution::Halves);
     let missing = |missing| Error::Plan { missing };
-    let sampled = at(&[PassKind::Gbuffer]).ok_or(missing("gbuffer"))?;
-    let lit =
-        at(&[PassKind::Irradiance, PassKind::Shadow]).ok_or(missing("irradiance or shadow"))?;
-    let resolved = at(&[PassKind::Resolve]).ok_or(missing("resolve"))?;
+    let sampled = at(&[PassKind::Gbuffer], samples).ok_or(missing("gbuffer"))?;
+    let light = [PassKind::Irradiance, PassKind::Shadow, PassKind::Upsample];
+    let lit = at(&light, samples).ok_or(missing("irradiance, shadow or upsample"))?;
+    let resolved = at(&[PassKind::Resolve], Resolution::Pixels).ok_or(missing("resolve"))?;
+    if plan.has(PassKind::Upsample) {
+        let seen = at(&[PassKind::Gbuffer], halves).ok_or(missing("gbuffer at half resolution"))?;
+        let shaded = at(&[PassKind::Shadow], halves).ok_or(missing("shadow at half resolution"))?;
+        if seen > shaded || shaded > lit {
+            return Err(Error::PlanOrder);
+        }
+    }
     if sampled < lit && lit < resolved {
         Ok(())
     } else {

@@ -1,81 +1,87 @@
-//! The G-buffer pass: what every sample of a view sees.
+//! The G-buffer pass: what every ray of a grid through a view sees.
 
 use crate::Error;
 use crate::geometry::Geometry;
 use crate::texture::texture_color;
 use glam::Vec3A;
 use rayon::prelude::*;
-use sh_scene::{Receiver, View};
+use sh_scene::{Grid, Receiver, Tiles, View};
 use std::ops::Range;
 
-/// Receivers and albedo of a band of sample rows, row by row from the top.
+/// Receivers and albedo of some rows of tiles, in the order of [`Tiles`].
 #[derive(Clone, Debug, Default)]
 pub struct Gbuffer {
-    /// Position, normal and object; `covered` is 0 where the view looks into the sky.
+    /// Position, normal and object; `covered` is 0 where the view looks into the sky, and beyond the grid.
     pub receivers: Vec<Receiver>,
     /// Linear Rec.709 reflectance, black where nothing is hit.
     pub albedo: Vec<[f32; 3]>,
 }
 
-/// The rays of a view's sample grid: [`View::ray`] with what is common to all rays computed once.
+/// The rays of a grid: [`View::ray`] with what is common to all rays computed once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rays {
     axes: [glam::Vec3; 3],
     wide: f32,
     tall: f32,
-    columns: f32,
-    rows: f32,
+    view: View,
+    grid: Grid,
 }
 
 impl Rays {
-    pub(crate) fn new(view: &View) -> Self {
+    pub(crate) fn new(view: &View, grid: Grid) -> Self {
         let tall = (view.camera.fov * 0.5).tan();
         Self {
             axes: view.axes(),
             wide: tall * view.width as f32 / view.height as f32,
             tall,
-            columns: (view.width * View::OVERSAMPLE) as f32,
-            rows: (view.height * View::OVERSAMPLE) as f32,
+            view: *view,
+            grid,
         }
     }
 
-    /// Unit direction through a sample, the bits of [`View::ray`].
+    /// Unit direction through a cell, the bits of [`View::ray`].
     #[inline(always)]
     pub(crate) fn through(&self, x: u32, y: u32) -> Vec3A {
         let [right, up, forward] = self.axes;
-        let u = 2.0 * (x as f32 + 0.5) / self.columns - 1.0;
-        let v = 1.0 - 2.0 * (y as f32 + 0.5) / self.rows;
+        let [u, v] = self.grid.place(&self.view, x, y);
         (forward + right * (u * self.wide) + up * (v * self.tall))
             .normalize()
             .into()
     }
 }
 
-/// Fills `out` with the sample rows `rows` of `view` (out of `view.height * View::OVERSAMPLE`), reusing its
-/// memory. Rows are cast in parallel; every sample is its own ray, so that the result does not depend on
-/// the number of threads.
+/// Fills `out` with the rows of tiles `rows` of `grid`, reusing its memory. Tiles are cast in parallel; every ray
+/// is its own, so that the result does not depend on the number of threads.
 pub fn gbuffer(
     geometry: &Geometry,
     view: &View,
+    grid: Grid,
     rows: Range<u32>,
     out: &mut Gbuffer,
 ) -> Result<(), Error> {
     check_view(view)?;
-    let rays = Rays::new(view);
-    let columns = (view.width * View::OVERSAMPLE) as usize;
-    let count = columns * rows.len();
+    let rays = Rays::new(view, grid);
+    let across = grid.tiles().columns as usize;
+    let count = across * rows.len() * Tiles::AREA;
     out.receivers.clear();
     out.receivers.resize(count, NOTHING);
     out.albedo.clear();
     out.albedo.resize(count, [0.0; 3]);
     let eye = Vec3A::from(view.camera.eye);
     out.receivers
-        .par_chunks_mut(columns)
-        .zip(out.albedo.par_chunks_mut(columns))
-        .zip(rows)
-        .for_each(|((receivers, albedo), y)| {
-            for (x, (receiver, albedo)) in receivers.iter_mut().zip(albedo).enumerate() {
-                if let Some((seen, color)) = look(geometry, eye, rays.through(x as u32, y)) {
+        .par_chunks_mut(Tiles::AREA)
+        .zip(out.albedo.par_chunks_mut(Tiles::AREA))
+        .enumerate()
+        .for_each(|(tile, (receivers, albedo))| {
+            let side = Tiles::SIDE;
+            let left = (tile % across) as u32 * side;
+            let top = (rows.start + (tile / across) as u32) * side;
+            for (i, (receiver, albedo)) in receivers.iter_mut().zip(albedo).enumerate() {
+                let (x, y) = (left + i as u32 % side, top + i as u32 / side);
+                if x >= grid.columns || y >= grid.rows {
+                    continue;
+                }
+                if let Some((seen, color)) = look(geometry, eye, rays.through(x, y)) {
                     *receiver = seen;
                     *albedo = color.into();
                 }
@@ -170,10 +176,12 @@ mod tests {
             width: 37,
             height: 23,
         };
-        let rays = Rays::new(&view);
-        for y in 0..46 {
-            for x in 0..74 {
-                assert_eq!(rays.through(x, y), Vec3A::from(view.ray(x, y)));
+        for grid in [view.samples(), view.halves()] {
+            let rays = Rays::new(&view, grid);
+            for y in 0..grid.rows {
+                for x in 0..grid.columns {
+                    assert_eq!(rays.through(x, y), Vec3A::from(view.ray(grid, x, y)));
+                }
             }
         }
     }

@@ -1,19 +1,20 @@
-//! The irradiance pass: environment light that nothing blocks.
+//! The irradiance pass: light that nothing blocks.
 
-use crate::drive::{Kernel, drive};
+use crate::drive::{Group, Kernel, Place, Work, drive};
 use crate::outline::{Outline, OutlineAll};
+use crate::shadow::with_emitters;
 use crate::{Error, Path};
 use sh_core::{Lane, Routines};
 use sh_scene::{Light, Receiver};
 
 /// Writes the radiance that albedo 1 reflects at every receiver under `light` alone: for each channel
-/// max(0, L · H(N)), with the cosine lobe H of Ramamoorthi and Hanrahan 2001 and its 1/π. Receivers that are
-/// not covered get 0.
+/// max(0, L · H(N)), with the cosine lobe H of Ramamoorthi and Hanrahan 2001 and its 1/π, for the environment and each
+/// analytic light. Receivers that are not covered get 0.
 ///
 /// ```
 /// use sh_scene::{Light, Receiver};
 /// // A sky of radiance 1 from everywhere: only the constant coefficient, √(4π).
-/// let mut light = Light { order: 2, coefficients: vec![[0.0; 3]; 4] };
+/// let mut light = Light { order: 2, coefficients: vec![[0.0; 3]; 4], emitters: vec![] };
 /// light.coefficients[0] = [12.566_371_f32.sqrt(); 3];
 /// let receiver = Receiver { position: [0.0; 3], covered: 1, normal: [0.0, 1.0, 0.0], object: 0 };
 /// let mut radiance = [[0.0; 3]];
@@ -36,39 +37,45 @@ pub fn irradiance_on(
     light: &Light,
     radiance: &mut [[f32; 3]],
 ) -> Result<(), Error> {
-    drive(
+    let all = 0..receivers.len();
+    let work = Work {
         path,
         receivers,
-        light,
+        clusters: std::slice::from_ref(&all),
         radiance,
-        &Unblocked {
-            light: &light.coefficients,
-        },
-    )
+    };
+    drive(work, light, &Unblocked { light })
 }
 
 struct Unblocked<'a> {
-    light: &'a [[f32; 3]],
+    light: &'a Light,
 }
 
 impl Kernel for Unblocked<'_> {
     #[inline(always)]
-    fn shade<L: OutlineAll + Outline<C>, const C: usize>(&self, _: [L; 3], normal: [L; 3]) -> [L; 3]
+    fn shade<L: Group + OutlineAll + Outline<C>, const C: usize>(
+        &self,
+        _: &Place<L>,
+        position: [L; 3],
+        normal: [L; 3],
+    ) -> [L; 3]
     where
         [L; C]: Routines<L>,
     {
-        unblocked::<L, C>(normal, self.light)
+        let lobe = <[L; C]>::cosine(normal);
+        let environment = unblocked(&lobe, &self.light.coefficients);
+        with_emitters(environment, &lobe, &lobe, position, self.light)
     }
 }
 
 /// max(0, L_c · H(N)) for the three channels.
 #[inline(always)]
-pub(crate) fn unblocked<L: Lane, const C: usize>(normal: [L; 3], light: &[[f32; 3]]) -> [L; 3]
+pub(crate) fn unblocked<L: Lane, const C: usize>(lobe: &[L; C], light: &[[f32; 3]]) -> [L; 3]
 where
     [L; C]: Routines<L>,
 {
-    let zero = normal[0].lift(0.0);
-    let [red, green, blue] = reflected::<L, C>(&<[L; C]>::cosine(normal), light);
+    let zero = lobe[0].lift(0.0);
+    let [red, green, blue] = reflected(lobe, light);
     [red.max(zero), green.max(zero), blue.max(zero)]
 }
 

@@ -1,5 +1,7 @@
 //! Vector lanes: 4, 8 or 16 `f32` side by side, for the generated routines.
 //!
+//! [`Lanes1`] is one number with the same instructions, to compare with.
+//!
 //! [`Lanes4`], [`Lanes8`] and [`Lanes16`] wrap the vectors of `fearless_simd`. Which instructions they become is
 //! decided by the level `S` that they carry (SSE2 to AVX-512, Neon, wasm), and everything here is
 //! `#[inline(always)]`: code written against [`Lane`] turns into those instructions when, and only when,
@@ -49,6 +51,12 @@ macro_rules! vector_lane {
         impl<S: Simd> $name<S> {
             /// Numbers side by side.
             pub const COUNT: usize = $count;
+
+            /// Calls `work` within the instruction set that `self` carries.
+            #[inline(always)]
+            pub(crate) fn within<R>(self, work: impl FnOnce() -> R) -> R {
+                self.0.simd.vectorize(work)
+            }
 
             /// `value` in every lane.
             #[inline(always)]
@@ -174,6 +182,9 @@ macro_rules! vector_lane {
         }
     };
 }
+
+mod one;
+pub use one::Lanes1;
 
 vector_lane! {
     /// 8 numbers side by side.

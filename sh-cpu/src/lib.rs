@@ -4,7 +4,9 @@
 //! |---|---|---|---|
 //! | `gbuffer` | [`gbuffer()`] | [`Geometry`], a view | receivers and albedo of a band of sample rows |
 //! | `irradiance` | [`irradiance()`] | receivers, light | radiance |
-//! | `shadow` | [`shadow()`] | receivers, blocker spheres, light | radiance |
+//! | `cut` | [`Cuts::find`] | receivers, their clusters, the forest of blockers | the blockers of each cluster |
+//! | `shadow` | [`shadow_clusters()`]; [`shadow()`] without a hierarchy | receivers, blockers, light | radiance |
+//! | `upsample` | [`upsample()`] | receivers, light at half resolution | radiance, and receivers it does not do for |
 //! | `resolve` | [`resolve()`] | all of them | pixels |
 //!
 //! [`render`] strings a plan together and makes a picture. Each pass can be called by itself: receivers may as
@@ -26,7 +28,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod accumulate;
+mod cut;
 mod drive;
+mod emitters;
 mod error;
 mod frame;
 mod gbuffer;
@@ -35,10 +40,15 @@ mod irradiance;
 pub mod lanes;
 mod outline;
 mod path;
+mod peak;
+mod ratio;
 mod resolve;
 mod shadow;
 mod texture;
+mod upsample;
 
+pub use accumulate::Blockers;
+pub use cut::{CutOptions, Cuts};
 pub use error::{Error, MAX_SIDE};
 pub use frame::{Frame, render};
 pub use gbuffer::{Gbuffer, gbuffer};
@@ -46,5 +56,7 @@ pub use geometry::{Geometry, Hit};
 pub use irradiance::{irradiance, irradiance_on};
 pub use outline::{Outline, OutlineAll};
 pub use path::{Path, levels};
+pub use peak::{lanes as lane_count, multiply_adds_per_second};
 pub use resolve::resolve;
-pub use shadow::{shade, shadow, shadow_on};
+pub use shadow::{Shadow, bake, shade, shadow, shadow_clusters, shadow_on};
+pub use upsample::{Failed, Halves, upsample};

@@ -6,11 +6,14 @@
 //! one function per lane type that enters its instruction set by itself; the call passes vectors through
 //! memory, which costs little beside the routine.
 
+use crate::accumulate::{Blockers, accumulated};
+use crate::emitters::emitted;
+use crate::lanes::Lanes1;
 use crate::lanes::{Lanes4, Lanes8, Lanes16};
-use crate::shadow::visibility_past;
+use crate::ratio::ratio_logs;
 use fearless_simd::Simd;
 use sh_core::{Lane, Routines};
-use sh_scene::Sphere;
+use sh_scene::Emitter;
 
 /// A lane type with the large routines of `C` coefficients out of line. Implemented for `f32`, `f64` and the
 /// vector lanes, for orders 2 to 6; [`OutlineAll`] stands for all five orders.
@@ -18,11 +21,32 @@ pub trait Outline<const C: usize>: Lane
 where
     [Self; C]: Routines<Self>,
 {
-    /// The visibility past all `spheres`: their logarithms, summed and exponentiated with `C` coefficients.
-    fn visibility(position: [Self; 3], normal: [Self; 3], spheres: &[Sphere]) -> [Self; C];
+    /// `sum`, on the scale of [`Routines::accumulate_blocker`], plus the log visibilities of all `blockers`.
+    fn accumulate(
+        sum: &[Self; C],
+        position: [Self; 3],
+        normal: [Self; 3],
+        blockers: Blockers,
+    ) -> [Self; C];
+
+    /// F_l(θ) P_l(s · axis) of each band l, with F the cap logarithm of a ball of this radius and s the direction
+    /// `towards` it; 0 beyond the order. Sums of it are ratio vectors.
+    fn ratio_logs(towards: [Self; 3], radius: Self, axis: [Self; 3]) -> [Self; 6];
+
+    /// The visibility past all blockers of such a sum: [`Routines::exp_saturating`] of [`Routines::accumulated_log`].
+    fn visibility(sum: &[Self; C]) -> [Self; C];
 
     /// [`Routines::product_cosine`].
     fn product_cosine(f: &[Self; C], normal: [Self; 3]) -> [Self; C];
+
+    /// Radiance in three channels that `emitters` give through `transfer`, each between 0 and what it gives through
+    /// `open`.
+    fn emitted(
+        transfer: &[Self; C],
+        open: &[Self; C],
+        position: [Self; 3],
+        emitters: &[Emitter],
+    ) -> [Self; 3];
 }
 
 /// A lane type with [`Outline`] for orders 2 to 6.
@@ -30,22 +54,75 @@ pub trait OutlineAll: Outline<4> + Outline<9> + Outline<16> + Outline<25> + Outl
 
 impl<L> OutlineAll for L where L: Outline<4> + Outline<9> + Outline<16> + Outline<25> + Outline<36> {}
 
+macro_rules! routines {
+    ($c:literal, $inline:meta, $enter:expr) => {
+        #[$inline]
+        fn accumulate(
+            sum: &[Self; $c],
+            position: [Self; 3],
+            normal: [Self; 3],
+            blockers: Blockers,
+        ) -> [Self; $c] {
+            $enter(
+                position[0],
+                #[inline(always)]
+                || accumulated(sum, position, normal, blockers),
+            )
+        }
+
+        #[$inline]
+        fn ratio_logs(towards: [Self; 3], radius: Self, axis: [Self; 3]) -> [Self; 6] {
+            $enter(
+                radius,
+                #[inline(always)]
+                || ratio_logs::<Self, $c>(towards, radius, axis),
+            )
+        }
+
+        #[$inline]
+        fn visibility(sum: &[Self; $c]) -> [Self; $c] {
+            $enter(
+                sum[0],
+                #[inline(always)]
+                || sum.accumulated_log().exp_saturating(),
+            )
+        }
+
+        #[$inline]
+        fn product_cosine(f: &[Self; $c], normal: [Self; 3]) -> [Self; $c] {
+            $enter(
+                f[0],
+                #[inline(always)]
+                || Routines::product_cosine(f, normal),
+            )
+        }
+
+        #[$inline]
+        fn emitted(
+            transfer: &[Self; $c],
+            open: &[Self; $c],
+            position: [Self; 3],
+            emitters: &[Emitter],
+        ) -> [Self; 3] {
+            $enter(
+                position[0],
+                #[inline(always)]
+                || emitted(transfer, open, position, emitters),
+            )
+        }
+    };
+}
+
+/// Calls `work` as it is.
+#[inline(always)]
+fn plainly<L, R>(_: L, work: impl FnOnce() -> R) -> R {
+    work()
+}
+
 macro_rules! scalar {
     ($t:ty, $c:literal, $inline:meta) => {
         impl Outline<$c> for $t {
-            #[$inline]
-            fn visibility(
-                position: [Self; 3],
-                normal: [Self; 3],
-                spheres: &[Sphere],
-            ) -> [Self; $c] {
-                visibility_past(position, normal, spheres)
-            }
-
-            #[$inline]
-            fn product_cosine(f: &[Self; $c], normal: [Self; 3]) -> [Self; $c] {
-                Routines::product_cosine(f, normal)
-            }
+            routines!($c, $inline, plainly);
         }
     };
 }
@@ -53,25 +130,7 @@ macro_rules! scalar {
 macro_rules! vector {
     ($lanes:ident, $c:literal) => {
         impl<S: Simd> Outline<$c> for $lanes<S> {
-            #[inline(never)]
-            fn visibility(
-                position: [Self; 3],
-                normal: [Self; 3],
-                spheres: &[Sphere],
-            ) -> [Self; $c] {
-                position[0].0.simd.vectorize(
-                    #[inline(always)]
-                    || visibility_past(position, normal, spheres),
-                )
-            }
-
-            #[inline(never)]
-            fn product_cosine(f: &[Self; $c], normal: [Self; 3]) -> [Self; $c] {
-                f[0].0.simd.vectorize(
-                    #[inline(always)]
-                    || Routines::product_cosine(f, normal),
-                )
-            }
+            routines!($c, inline(never), Self::within);
         }
     };
 }
@@ -81,6 +140,7 @@ macro_rules! orders {
         scalar!(f32, $c, inline(never));
         // No pass computes in f64: compiled where somebody uses it.
         scalar!(f64, $c, inline);
+        vector!(Lanes1, $c);
         vector!(Lanes4, $c);
         vector!(Lanes8, $c);
         vector!(Lanes16, $c);

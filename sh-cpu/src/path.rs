@@ -10,6 +10,9 @@ use fearless_simd::Level;
 pub enum Path {
     /// One: plain `f32`, compiled for the build's baseline processor.
     Scalar,
+    /// One, with the instructions of this level, fused multiply-adds above all ([`crate::lanes::Lanes1`]): what
+    /// vectors are compared with.
+    One(Level),
     /// As many as a register of this level holds; the processor is known to have its instructions.
     ///
     /// On x86 a pass is compiled for SSE2 ([`crate::lanes::Lanes4`]), AVX2 ([`crate::lanes::Lanes8`]) and
@@ -27,7 +30,10 @@ impl Path {
     /// Every path this processor offers, from the plainest on.
     pub fn all() -> Vec<Self> {
         let vectors = levels().into_iter().map(Self::Vector);
-        std::iter::once(Self::Scalar).chain(vectors).collect()
+        [Self::Scalar, Self::One(Level::new())]
+            .into_iter()
+            .chain(vectors)
+            .collect()
     }
 }
 

@@ -4,12 +4,13 @@ use crate::Error;
 use crate::gbuffer::{Gbuffer, Rays, check_view};
 use glam::Vec3A;
 use rayon::prelude::*;
-use sh_scene::{EnvironmentMap, View};
+use sh_scene::{EnvironmentMap, Tiles, View};
 use std::ops::Range;
 
-/// Resolves the pixel rows `rows` of `view` into `pixels` (`view.width * rows.len()`, linear Rec.709).
+/// Resolves the pixel rows under the rows of tiles `rows` of `view`'s samples into `pixels` (linear Rec.709, as many
+/// rows as there are in them).
 ///
-/// `samples` and `radiance` hold the sample rows under them, `View::OVERSAMPLE` for each pixel row. A sample
+/// `samples` and `radiance` hold these tiles. A sample
 /// is albedo times radiance where it is covered, and the environment along its ray elsewhere; a pixel is the
 /// mean of its samples (a box filter).
 pub fn resolve(
@@ -23,41 +24,34 @@ pub fn resolve(
     check_view(view)?;
     check_environment(environment)?;
     let width = view.width as usize;
-    let oversample = View::OVERSAMPLE as usize;
-    let count = width * rows.len();
-    check_length(
-        "samples.receivers",
-        count * oversample * oversample,
-        samples.receivers.len(),
-    )?;
-    check_length(
-        "samples.albedo",
-        count * oversample * oversample,
-        samples.albedo.len(),
-    )?;
-    check_length("radiance", count * oversample * oversample, radiance.len())?;
+    let oversample = View::OVERSAMPLE;
+    let tiles = Tiles {
+        rows: rows.len() as u32,
+        ..view.samples().tiles()
+    };
+    let first = rows.start * Tiles::SIDE;
+    let last = (rows.end * Tiles::SIDE).min(view.samples().rows);
+    let count = width * (last.saturating_sub(first) / oversample) as usize;
+    check_length("samples.receivers", tiles.len(), samples.receivers.len())?;
+    check_length("samples.albedo", tiles.len(), samples.albedo.len())?;
+    check_length("radiance", tiles.len(), radiance.len())?;
     check_length("pixels", count, pixels.len())?;
-    let rays = Rays::new(view);
-    let columns = width * oversample;
+    let rays = Rays::new(view, view.samples());
     let share = 1.0 / (oversample * oversample) as f32;
-    let first = rows.start;
     pixels
         .par_chunks_mut(width)
-        .zip(rows)
-        .for_each(|(pixels, row)| {
-            for (x, pixel) in pixels.iter_mut().enumerate() {
+        .enumerate()
+        .for_each(|(row, pixels)| {
+            for (column, pixel) in pixels.iter_mut().enumerate() {
                 let mut sum = Vec3A::ZERO;
                 for sub in 0..oversample * oversample {
-                    let column = x * oversample + sub % oversample;
-                    let line = sub / oversample;
-                    let at = ((row - first) as usize * oversample + line) * columns + column;
+                    let x = column as u32 * oversample + sub % oversample;
+                    let y = row as u32 * oversample + sub / oversample;
+                    let at = tiles.index(x, y);
                     sum += if samples.receivers[at].covered != 0 {
                         Vec3A::from(samples.albedo[at]) * Vec3A::from(radiance[at])
                     } else {
-                        let y = row * View::OVERSAMPLE + line as u32;
-                        environment
-                            .sample(rays.through(column as u32, y).into())
-                            .into()
+                        environment.sample(rays.through(x, first + y).into()).into()
                     };
                 }
                 *pixel = (sum * share).into();

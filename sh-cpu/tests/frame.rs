@@ -38,11 +38,26 @@ fn a_ball_casts_a_shadow_on_the_ground() {
     let names = |frame: &Frame| frame.stages.iter().map(|s| s.0).collect::<Vec<_>>();
     assert_eq!(
         names(&shadowed),
-        ["hierarchy", "light", "gbuffer", "shadow", "resolve"]
+        [
+            "hierarchy",
+            "light",
+            "forest",
+            "gbuffer",
+            "cut",
+            "shadow",
+            "resolve"
+        ]
     );
     assert_eq!(
         names(&open),
-        ["hierarchy", "light", "gbuffer", "irradiance", "resolve"]
+        [
+            "hierarchy",
+            "light",
+            "forest",
+            "gbuffer",
+            "irradiance",
+            "resolve"
+        ]
     );
 
     let at = |frame: &Frame, x: usize, y: usize| frame.pixels[y * 64 + x][1];
@@ -66,9 +81,40 @@ fn a_ball_casts_a_shadow_on_the_ground() {
     }
 }
 
+/// Half resolution against the full one: where a pixel is off, it is off by little, and few receivers are shaded.
+#[test]
+fn half_resolution_keeps_the_picture() {
+    let mut scene = ball();
+    let size = (160, 119);
+    let made = |scene: &Scene| render(scene, &Plan::new(scene), size, &|_| ()).unwrap();
+    let full = made(&scene);
+    scene.settings.half_resolution = true;
+    let half = made(&scene);
+    assert!(
+        half.shadowed * 3 < full.shadowed,
+        "{} of {}",
+        half.shadowed,
+        full.shadowed
+    );
+    let mean = full.pixels.iter().map(|p| p[1]).sum::<f32>() / full.pixels.len() as f32;
+    let (mut square, mut worst) = (0.0, 0.0_f32);
+    for (a, b) in full.pixels.iter().zip(&half.pixels) {
+        let off = (a[1] - b[1]).abs() / mean;
+        square += off * off;
+        worst = worst.max(off);
+    }
+    let rms = (square / full.pixels.len() as f32).sqrt();
+    println!(
+        "rms {rms:.5}, worst {worst:.4}, {} of {} shaded",
+        half.shadowed, full.shadowed
+    );
+    assert!(rms < 0.004 && worst < 0.06, "{rms} {worst}");
+}
+
 #[test]
 fn the_number_of_threads_changes_no_pixel() {
-    let scene = ball();
+    let mut scene = ball();
+    scene.settings.half_resolution = true;
     let on = |threads| {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
@@ -111,7 +157,7 @@ fn the_sky_shows_the_environment_along_the_view() {
 fn progress_rises_to_one() {
     let scene = ball();
     let seen = Mutex::new(Vec::new());
-    render(&scene, &Plan::new(&scene), (16, 37), &|part| {
+    render(&scene, &Plan::new(&scene), (16, 67), &|part| {
         seen.lock().unwrap().push(part)
     })
     .unwrap();
@@ -130,7 +176,7 @@ fn plans_that_make_no_picture_are_refused() {
     let refused = |plan: &Plan| render(&scene, plan, (8, 8), &|_| ()).unwrap_err();
     for (kind, missing) in [
         (PassKind::Gbuffer, "gbuffer"),
-        (PassKind::Shadow, "irradiance or shadow"),
+        (PassKind::Shadow, "irradiance, shadow or upsample"),
         (PassKind::Resolve, "resolve"),
     ] {
         let mut plan = full.clone();
@@ -152,7 +198,7 @@ fn settings_and_maps_that_do_not_work_are_refused() {
     };
     assert!(matches!(refused(|s| s.settings.order = 7), Error::Light(_)));
     assert!(matches!(
-        refused(|s| s.settings.window = 0.0),
+        refused(|s| s.settings.window = Some(0.0)),
         Error::Light(_)
     ));
     assert!(matches!(

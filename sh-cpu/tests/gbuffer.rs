@@ -5,10 +5,10 @@ mod common;
 use common::{Random, object, scene, sphere_mesh};
 use glam::{Affine3A, Quat, Vec3, Vec3A, vec3};
 use sh_cpu::{Error, Gbuffer, Geometry, gbuffer};
-use sh_scene::{Camera, Ground, Mesh, Scene, Texture, View};
+use sh_scene::{Camera, Ground, Mesh, Scene, Texture, Tiles, View};
 use std::f32::consts::PI;
 
-/// All samples of a picture.
+/// All samples of a picture, row by row.
 fn shoot(scene: &Scene, width: u32, height: u32) -> (View, Gbuffer) {
     let geometry = Geometry::new(scene).unwrap();
     let view = View {
@@ -16,8 +16,20 @@ fn shoot(scene: &Scene, width: u32, height: u32) -> (View, Gbuffer) {
         width,
         height,
     };
+    let grid = view.samples();
+    let tiles = grid.tiles();
+    let mut tiled = Gbuffer::default();
+    gbuffer(&geometry, &view, grid, 0..tiles.rows, &mut tiled).unwrap();
     let mut out = Gbuffer::default();
-    gbuffer(&geometry, &view, 0..height * View::OVERSAMPLE, &mut out).unwrap();
+    for y in 0..grid.rows {
+        for x in 0..grid.columns {
+            let at = tiles.index(x, y);
+            out.receivers.push(tiled.receivers[at]);
+            out.albedo.push(tiled.albedo[at]);
+        }
+    }
+    let covered = |all: &Gbuffer| all.receivers.iter().filter(|r| r.covered != 0).count();
+    assert_eq!(covered(&out), covered(&tiled), "nothing beyond the grid");
     (view, out)
 }
 
@@ -43,7 +55,7 @@ fn a_fine_sphere_is_hit_where_the_analytic_sphere_is() {
     let sag = 3e-4;
     let mut hits = 0;
     for (i, receiver) in samples.receivers.iter().enumerate() {
-        let direction = view.ray(i as u32 % 320, i as u32 / 320);
+        let direction = view.ray(view.samples(), i as u32 % 320, i as u32 / 320);
         let eye = view.camera.eye;
         let inner = sphere_distance(eye, direction, center, 1.0 - sag);
         let outer = sphere_distance(eye, direction, center, 1.0);
@@ -86,7 +98,7 @@ fn the_ground_is_seen_from_above_only_and_behind_what_stands_on_it() {
     let (view, samples) = shoot(&scene, 80, 60);
     let (mut ground, mut body) = (0, 0);
     for (i, (receiver, albedo)) in samples.receivers.iter().zip(&samples.albedo).enumerate() {
-        let direction = view.ray(i as u32 % 160, i as u32 / 160);
+        let direction = view.ray(view.samples(), i as u32 % 160, i as u32 / 160);
         if receiver.covered == 0 {
             assert!(direction.y >= 0.0);
         } else if receiver.object == u32::MAX {
@@ -208,12 +220,19 @@ fn bands_are_parts_of_the_whole() {
         height: -1.0,
         albedo: [0.5; 3],
     });
-    let (view, whole) = shoot(&scene, 33, 20);
     let geometry = Geometry::new(&scene).unwrap();
-    let mut band = Gbuffer::default();
-    for (start, end) in [(0, 7), (7, 26), (26, 40), (40, 40)] {
-        gbuffer(&geometry, &view, start..end, &mut band).unwrap();
-        let range = start as usize * 66..end as usize * 66;
+    let view = View {
+        camera: scene.camera,
+        width: 33,
+        height: 20,
+    };
+    let grid = view.samples();
+    let (mut whole, mut band) = (Gbuffer::default(), Gbuffer::default());
+    gbuffer(&geometry, &view, grid, 0..3, &mut whole).unwrap();
+    for (start, end) in [(0, 1), (1, 3), (2, 3), (3, 3)] {
+        gbuffer(&geometry, &view, grid, start..end, &mut band).unwrap();
+        // Five tiles across.
+        let range = start as usize * 5 * Tiles::AREA..end as usize * 5 * Tiles::AREA;
         assert_eq!(band.receivers, whole.receivers[range.clone()]);
         assert_eq!(band.albedo, whole.albedo[range]);
     }
@@ -279,16 +298,13 @@ fn cameras_and_sizes_that_show_nothing_are_refused() {
     let geometry = Geometry::new(&scene).unwrap();
     let good = scene.camera;
     let shot = |camera: Camera, width, height| {
-        gbuffer(
-            &geometry,
-            &View {
-                camera,
-                width,
-                height,
-            },
-            0..1,
-            &mut Gbuffer::default(),
-        )
+        let view = View {
+            camera,
+            width,
+            height,
+        };
+        let grid = view.samples();
+        gbuffer(&geometry, &view, grid, 0..1, &mut Gbuffer::default())
     };
     assert_eq!(shot(good, 4, 4), Ok(()));
     assert_eq!(

@@ -32,7 +32,12 @@ fn in_f64(
         f64: OutlineAll + Outline<C>,
     {
         let (p, n) = (r.position.map(f64::from), r.normal.map(f64::from));
-        shade::<f64, C>(p, n, s, &l.coefficients, accumulation).map(|x| x as f32)
+        let across: Vec<_> = s.iter().copied().map(sh_scene::Blocker::new).collect();
+        let blockers = sh_cpu::Blockers {
+            front: &[],
+            across: &across,
+        };
+        shade::<f64, C>(p, n, blockers, l, accumulation, None::<fn(usize) -> f64>).map(|x| x as f32)
     }
     receivers
         .iter()

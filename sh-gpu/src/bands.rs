@@ -1,39 +1,44 @@
-//! A picture in horizontal bands, so that memory stays bounded whatever the picture's size.
+//! A grid of rays in horizontal bands, so that memory stays bounded whatever the picture's size.
 
 use crate::Error;
 use crate::records::Band;
 use glam::{Mat4, Vec3, Vec4};
-use sh_scene::{Ground, View};
+use sh_scene::{Grid, Ground, Tiles, View, upsample};
+use std::ops::Range;
 use wgpu::{Buffer, BufferUsages, Device, Queue};
 
 /// Bytes from one band's record to the next: the alignment that every device grants for dynamic offsets.
 pub(crate) const STRIDE: u64 = 256;
 
-/// A band's rows of samples must be a multiple of this, so that its pixels begin at a multiple of 256 bytes
-/// in the picture: 16 rows of pixels, 16 bytes a pixel.
+/// A band's rows must be a multiple of this: whole tiles, and of samples so many that a band's pixels begin at a
+/// multiple of 256 bytes in the picture, 16 rows of pixels of 16 bytes each.
 const ROW_STEP: u32 = 16 * View::OVERSAMPLE;
 
 /// The near plane, for a camera that looks at something 1 away. Depth is a float that is largest there, so
 /// that it costs no precision to put it this near.
 const NEAR: f32 = 1e-4;
 
-/// The bands of a picture of a given size, top to bottom, and their records on the GPU.
+/// The bands of a grid through a picture of a given size, top to bottom, and their records on the GPU.
+///
+/// What passes store of a band are whole tiles ([`Tiles`]), filled up with receivers that are not covered.
 #[derive(Debug)]
 pub struct Bands {
-    width: u32,
-    height: u32,
-    /// Rows of samples of all bands but the last.
+    /// Only the size matters.
+    view: View,
+    grid: Grid,
+    /// Rows of all bands but the last.
     rows: u32,
     buffer: Buffer,
 }
 
 impl Bands {
-    /// The most samples a band holds unless said otherwise: 100 MiB of G-buffer, receivers and radiance.
+    /// The most cells a band holds unless said otherwise: 160 MiB of G-buffer, receivers and radiance.
     pub const MAX_SAMPLES: u32 = 1 << 20;
 
-    /// Divides a picture of `width` by `height` pixels into bands of at most `max_samples` samples, though
-    /// never fewer than 32 rows.
-    pub fn new(device: &Device, width: u32, height: u32, max_samples: u32) -> Result<Self, Error> {
+    /// Divides a grid of `view` ([`View::samples`] or [`View::halves`]) into bands of at most `max_samples` cells,
+    /// though never fewer than 32 rows. The view's camera may be another one later.
+    pub fn new(device: &Device, view: &View, grid: Grid, max_samples: u32) -> Result<Self, Error> {
+        let View { width, height, .. } = *view;
         if width == 0 || height == 0 {
             let problem = "is empty; both must be positive";
             return Err(Error::View {
@@ -58,21 +63,20 @@ impl Bands {
             "max_buffer_size",
             limits.max_buffer_size,
         )?;
-        let columns = across as u32;
-        let most = (max_samples / columns).min(limits.max_texture_dimension_2d);
+        let most = (max_samples / grid.columns).min(limits.max_texture_dimension_2d);
         let most = (most / ROW_STEP * ROW_STEP).max(ROW_STEP);
-        let all = height * View::OVERSAMPLE;
         // Bands of one height, as far as the step allows.
-        let rows = all.div_ceil(all.div_ceil(most)).next_multiple_of(ROW_STEP);
+        let bands = grid.rows.div_ceil(most);
+        let rows = grid.rows.div_ceil(bands).next_multiple_of(ROW_STEP);
         let buffer = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("gaunt bands"),
-            size: u64::from(all.div_ceil(rows)) * STRIDE,
+            size: u64::from(grid.rows.div_ceil(rows)) * STRIDE,
             usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
         Ok(Self {
-            width,
-            height,
+            view: *view,
+            grid,
             rows,
             buffer,
         })
@@ -80,34 +84,58 @@ impl Bands {
 
     /// How many bands there are.
     pub fn count(&self) -> u32 {
-        (self.height * View::OVERSAMPLE).div_ceil(self.rows)
+        self.grid.rows.div_ceil(self.rows)
     }
 
-    /// Samples across.
+    /// Cells across.
     pub fn columns(&self) -> u32 {
-        self.width * View::OVERSAMPLE
+        self.grid.columns
     }
 
-    /// Rows of samples of a band: the same for all but the last, which may have fewer. None for a band
+    /// Rows of cells of a band: the same for all but the last, which may have fewer. None for a band
     /// that is not there.
     pub fn rows(&self, band: u32) -> u32 {
-        let below = (self.height * View::OVERSAMPLE).saturating_sub(band.saturating_mul(self.rows));
+        let below = self.grid.rows.saturating_sub(self.first_row(band));
         below.min(self.rows)
     }
 
-    /// Samples of a band.
-    pub fn samples(&self, band: u32) -> u64 {
-        u64::from(self.columns()) * u64::from(self.rows(band))
+    /// The tiles of a band: what its receivers are stored in.
+    pub fn tiles(&self, band: u32) -> Tiles {
+        Tiles {
+            rows: self.rows(band).div_ceil(Tiles::SIDE),
+            ..self.grid.tiles()
+        }
+    }
+
+    /// Receivers of a band, those included that fill up its tiles.
+    pub fn receivers(&self, band: u32) -> u64 {
+        self.tiles(band).len() as u64
     }
 
     /// Where a band's pixels are in a picture of 16 bytes a pixel: offset and size in bytes.
     pub fn picture_range(&self, band: u32) -> (u64, u64) {
-        let row = u64::from(self.width) * 16;
+        let row = u64::from(self.view.width) * 16;
         let first = u64::from(band) * u64::from(self.rows / View::OVERSAMPLE);
         (
             first * row,
             u64::from(self.rows(band) / View::OVERSAMPLE) * row,
         )
+    }
+
+    /// The rows of tiles of [`View::halves`] that upsampling to a band of samples reads.
+    pub fn half_tile_rows(&self, band: u32) -> Range<u32> {
+        let halves = self.view.halves();
+        let steps = halves.spacing / self.grid.spacing;
+        // The row of `halves` above the middle of a row of cells.
+        let above = |row: u32| ((row as f32 + 0.5) / steps - 0.5).floor().max(0.0) as u32;
+        let first = self.first_row(band);
+        let last = (first + self.rows(band)).saturating_sub(1);
+        let below = (above(last) + 1).min(halves.rows.saturating_sub(1));
+        above(first) / Tiles::SIDE..below / Tiles::SIDE + 1
+    }
+
+    fn first_row(&self, band: u32) -> u32 {
+        band.saturating_mul(self.rows)
     }
 
     /// Uploads camera and ground for what is submitted next. The view must have the size the bands were
@@ -134,7 +162,7 @@ impl Bands {
                 problem,
             })
         };
-        if (width, height) != (self.width, self.height) {
+        if (width, height) != (self.view.width, self.view.height) {
             return fail("has another size than the bands were made for");
         }
         if self.rows(band) == 0 {
@@ -151,19 +179,11 @@ impl Bands {
         let [right, up, forward] = view.axes();
         let tall = (view.camera.fov * 0.5).tan();
         let wide = tall * view.width as f32 / view.height as f32;
-        let (first_row, rows) = (band * self.rows, self.rows(band));
-        // Clip space of the band: y is stretched so that the band's rows alone fill -1..1.
-        let all = (view.height * View::OVERSAMPLE) as f32;
-        let stretch = all / rows as f32;
-        let shift = (2 * first_row + rows) as f32 / rows as f32 - stretch;
-        let fit = Mat4::from_cols(
-            Vec4::X,
-            Vec4::Y * stretch,
-            Vec4::Z,
-            Vec4::new(0.0, shift, 0.0, 1.0),
-        );
+        let (first_row, rows) = (self.first_row(band), self.rows(band));
+        let extent = [width, height].map(|pixels| pixels as f32 / self.grid.spacing);
+        let halves = view.halves();
         Ok(Band {
-            clip_from_world: fit * view.clip_from_world(near),
+            clip_from_world: self.fit(extent, first_row, rows) * view.clip_from_world(near),
             eye: view.camera.eye,
             near,
             right: right * wide,
@@ -172,12 +192,28 @@ impl Bands {
             rows,
             forward,
             ground: u32::from(ground.is_some()),
-            grid: [self.columns(), view.height * View::OVERSAMPLE],
+            extent,
+            columns: self.columns(),
             ground_height: ground.map_or(0.0, |g| g.height),
-            padding: 0,
             ground_albedo: ground.map_or(Vec3::ZERO, |g| g.albedo.into()),
+            footprint: upsample::footprint(view),
+            half_columns: halves.columns,
+            half_rows: halves.rows,
+            half_first_row: self.half_tile_rows(band).start * Tiles::SIDE,
             tail: 0,
         })
+    }
+
+    /// From the picture's clip space to that of a band, whose cells alone fill -1 to 1.
+    fn fit(&self, extent: [f32; 2], first_row: u32, rows: u32) -> Mat4 {
+        let [across, down] = [extent[0] / self.columns() as f32, extent[1] / rows as f32];
+        let shift = (2 * first_row + rows) as f32 / rows as f32 - down;
+        Mat4::from_cols(
+            Vec4::X * across,
+            Vec4::Y * down,
+            Vec4::Z,
+            Vec4::new(across - 1.0, shift, 0.0, 1.0),
+        )
     }
 
     /// The record of one band, to be chosen by a dynamic offset of `band * STRIDE`.

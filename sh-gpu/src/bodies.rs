@@ -4,7 +4,7 @@ use crate::Error;
 use crate::pipeline::{buffer_entry, texture_entry};
 use crate::records::{Body, Vertex};
 use glam::Mat4;
-use sh_scene::{Object, Scene, Texture};
+use sh_scene::{Mesh, Object, Scene, Texture};
 use wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
 use wgpu::{
     BindGroup, BindGroupLayout, Buffer, BufferUsages, Device, Queue, RenderPass, ShaderStages,
@@ -75,6 +75,29 @@ impl Bodies {
             bytes[at..at + size_of::<Body>()].copy_from_slice(bytemuck::bytes_of(&record));
         }
         queue.write_buffer(&self.records, 0, &bytes);
+        Ok(())
+    }
+
+    /// Uploads the meshes' positions, normals and texture coordinates anew, for what is submitted next: of a scene
+    /// that bends. `scene` must hold the objects that were uploaded, in that order, with as many vertices.
+    pub fn update_meshes(&self, queue: &Queue, scene: &Scene) -> Result<(), Error> {
+        let (count, uploaded) = (scene.objects.len(), self.drawn.len());
+        if count != uploaded {
+            return Err(Error::Objects { count, uploaded });
+        }
+        for (index, (object, drawn)) in scene.objects.iter().zip(&self.drawn).enumerate() {
+            let vertices = vertices(&object.mesh);
+            let bytes: &[u8] = bytemuck::cast_slice(&vertices);
+            let known = drawn.vertices.size() / size_of::<Vertex>() as u64;
+            if bytes.len() as u64 != drawn.vertices.size() {
+                return Err(Error::Object {
+                    index,
+                    name: object.name.clone(),
+                    problem: format!("has {} vertices, but {known} were uploaded", vertices.len()),
+                });
+            }
+            queue.write_buffer(&drawn.vertices, 0, bytes);
+        }
         Ok(())
     }
 
@@ -163,6 +186,18 @@ fn check(device: &Device, object: &Object) -> Result<(), String> {
     Ok(())
 }
 
+/// A mesh's vertices as the GPU reads them.
+fn vertices(mesh: &Mesh) -> Vec<Vertex> {
+    let vertices = mesh.positions.iter().zip(&mesh.normals).enumerate();
+    vertices
+        .map(|(i, (position, normal))| Vertex {
+            position: *position,
+            normal: *normal,
+            uv: mesh.uvs.get(i).copied().unwrap_or_default(),
+        })
+        .collect()
+}
+
 fn upload(
     device: &Device,
     queue: &Queue,
@@ -172,13 +207,7 @@ fn upload(
 ) -> Drawn {
     let mesh = &object.mesh;
     let label = format!("gaunt body {}", object.name);
-    let vertices: Vec<Vertex> = (0..mesh.positions.len())
-        .map(|i| Vertex {
-            position: mesh.positions[i],
-            normal: mesh.normals[i],
-            uv: mesh.uvs.get(i).copied().unwrap_or_default(),
-        })
-        .collect();
+    let vertices = vertices(mesh);
     let buffer = |contents: &[u8], usage| {
         device.create_buffer_init(&BufferInitDescriptor {
             label: Some(&label),
@@ -213,7 +242,10 @@ fn upload(
         ],
     });
     Drawn {
-        vertices: buffer(bytemuck::cast_slice(&vertices), BufferUsages::VERTEX),
+        vertices: buffer(
+            bytemuck::cast_slice(&vertices),
+            BufferUsages::VERTEX | BufferUsages::COPY_DST,
+        ),
         indices: buffer(bytemuck::cast_slice(&mesh.triangles), BufferUsages::INDEX),
         count: mesh.triangles.len() as u32 * 3,
         group,

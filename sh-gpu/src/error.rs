@@ -39,6 +39,14 @@ pub enum Error {
         /// How many fit.
         capacity: u32,
     },
+    /// More analytic lights than the pass has room for.
+    #[error("{count} analytic lights do not fit the {capacity} that the pass was made for")]
+    Emitters {
+        /// How many came.
+        count: usize,
+        /// How many fit.
+        capacity: u32,
+    },
     /// A size goes over what the device was requested with.
     #[error("{what} needs {needed}, but the device's limit `{limit}` is {available}")]
     Limit {
@@ -87,6 +95,9 @@ pub enum Error {
         /// How many were uploaded.
         uploaded: usize,
     },
+    /// A plan that makes no picture.
+    #[error("the plan {0}")]
+    Plan(&'static str),
     /// An environment map whose texels do not fill it.
     #[error("the environment map of {width} by {height} texels brings {texels}")]
     Environment {
@@ -96,6 +107,17 @@ pub enum Error {
         height: u32,
         /// Texels there are.
         texels: usize,
+    },
+    /// An environment map in the place of one that has another size.
+    #[error(
+        "the environment map has {} by {} texels, but the one that was uploaded has {} by {}",
+        size[0], size[1], uploaded[0], uploaded[1]
+    )]
+    EnvironmentSize {
+        /// Texels across and down.
+        size: [u32; 2],
+        /// Those of the map that it would replace.
+        uploaded: [u32; 2],
     },
 }
 

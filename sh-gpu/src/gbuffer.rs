@@ -11,9 +11,9 @@ use wgpu::{
     TextureView, VertexAttribute, VertexFormat,
 };
 
-/// Rasterises the bands of a picture and packs them into receivers and albedo.
+/// Rasterises the bands of a grid through a picture and packs them into receivers and albedo, tile by tile.
 ///
-/// Samples are drawn as fragments, one each, into two textures as large as a band; what [`COLOR`](Self::COLOR)
+/// Cells are drawn as fragments, one each, into two textures as large as a band; what [`COLOR`](Self::COLOR)
 /// holds is said in `kernels/gbuffer.wgsl`. A host with its own scene draws into them itself, through
 /// [`record_with`](Self::record_with).
 #[derive(Debug)]
@@ -23,7 +23,7 @@ pub struct GbufferPass {
     pack: Kernel,
     /// Group 0 of the raster pipelines: the band.
     band: BindGroup,
-    /// Group 0 of `pack`: both textures.
+    /// Group 0 of `pack`: the band and both textures.
     sources: BindGroup,
     targets: [TextureView; 3],
 }
@@ -87,31 +87,28 @@ impl GbufferPass {
         let compute = ShaderStages::COMPUTE;
         let uint = wgpu::TextureSampleType::Uint;
         let write = BufferBindingType::Storage { read_only: false };
-        let textures = [
-            texture_entry(0, compute, uint),
+        let own = [
+            buffer_entry(0, compute, uniform, true),
             texture_entry(1, compute, uint),
+            texture_entry(2, compute, uint),
         ];
         let buffers = [
             buffer_entry(0, compute, write, false),
             buffer_entry(1, compute, write, false),
         ];
-        let pack = Kernel::new(device, &module, "pack", [&textures, &buffers]);
+        let pack = Kernel::new(device, &module, "pack", [&own, &buffers]);
         let targets =
             [Self::COLOR, Self::COLOR, Self::DEPTH].map(|format| target(device, bands, format));
-        let sources = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(&pack.label),
-            layout: &pack.groups[0],
-            entries: &[
-                BindGroupEntry {
-                    binding: 0,
-                    resource: BindingResource::TextureView(&targets[0]),
-                },
-                BindGroupEntry {
-                    binding: 1,
-                    resource: BindingResource::TextureView(&targets[1]),
-                },
+        let entry = |binding, resource| BindGroupEntry { binding, resource };
+        let [place, surface, _] = &targets;
+        let sources = pack.own(
+            device,
+            &[
+                entry(0, bands.binding()),
+                entry(1, BindingResource::TextureView(place)),
+                entry(2, BindingResource::TextureView(surface)),
             ],
-        });
+        );
         Ok(Self {
             bodies,
             ground,
@@ -123,7 +120,8 @@ impl GbufferPass {
     }
 
     /// Binds receivers ([`Receiver`], 32 bytes each) and albedos (red, green, blue, 0 as `vec4f`, 16 bytes
-    /// each), both written. The size of `receivers` must be that of the band's samples.
+    /// each), both written. The size of `receivers` must be that of the band's tiles
+    /// ([`Bands::receivers`]); the part of these that lies beyond the grid is written as not covered.
     pub fn bind(
         &self,
         device: &Device,
@@ -157,7 +155,7 @@ impl GbufferPass {
     }
 
     /// As [`record`](Self::record), but the host draws. `draw` is given the render pass with the viewport
-    /// set to the band's samples, and has to write both targets as their formats say, through
+    /// set to the band's cells, and has to write both targets as their formats say, through
     /// [`Bands::camera`]. What it leaves alone is sky.
     pub fn record_with(
         &self,
@@ -214,8 +212,12 @@ impl GbufferPass {
             beginning_of_pass_write_index: None,
             end_of_pass_write_index: Some(end),
         });
-        self.pack
-            .record(encoder, (&self.sources, &[]), bound, ended);
+        self.pack.record(
+            encoder,
+            (&self.sources, &[bands.offset(band)]),
+            bound,
+            ended,
+        );
     }
 }
 

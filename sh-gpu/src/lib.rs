@@ -13,11 +13,12 @@
 //! Nothing here submits, polls, waits, starts a thread or asks for a device, and all of it stays within
 //! WebGPU's default limits. What does not fit comes back as an [`Error`] before anything is recorded.
 //!
-//! The kernels are those of `sh-kernels`; receivers and blockers are [`sh_scene::Receiver`] and
-//! [`sh_scene::Sphere`], byte for byte.
+//! The kernels are those of `sh-kernels`; receivers, blockers and analytic lights are [`sh_scene::Receiver`],
+//! [`sh_scene::Node`] and [`sh_scene::Emitter`], byte for byte.
 
 mod bands;
 mod bodies;
+mod buffers;
 mod error;
 mod gbuffer;
 mod irradiance;
@@ -27,6 +28,8 @@ pub mod records;
 mod renderer;
 mod resolve;
 mod shadow;
+mod stages;
+mod upsample;
 
 pub use bands::Bands;
 pub use bodies::Bodies;
@@ -36,4 +39,5 @@ pub use irradiance::IrradiancePass;
 pub use pipeline::Bound;
 pub use renderer::Renderer;
 pub use resolve::ResolvePass;
-pub use shadow::{ShadowOptions, ShadowPass};
+pub use shadow::{ClusterBinding, ShadowOptions, ShadowPass};
+pub use upsample::{HalfBinding, UpsampleBound, UpsamplePass};

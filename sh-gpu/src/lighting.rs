@@ -1,105 +1,73 @@
 //! Light and blockers on their way to the GPU, for the passes that shade receivers.
 
 use crate::Error;
-use crate::pipeline::{Bound, Kernel, Slot, buffer_entry};
+use crate::pipeline::buffer_entry;
 use crate::records::Lighting;
 use bytemuck::Zeroable;
-use sh_kernels::Pass;
-use sh_scene::{Light, Receiver, Sphere};
+use sh_scene::{Emitter, Light, Limits};
 use wgpu::{
-    BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferBindingType, BufferUsages,
-    CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderModule, ShaderStages,
+    BindGroupEntry, BindGroupLayoutEntry, Buffer, BufferBindingType, BufferUsages, Device, Queue,
+    ShaderStages,
 };
 
-/// A pass that turns receivers into radiance: a kernel, the lighting record and room for blockers.
+/// The lighting record and analytic lights: the head of group 0 of the passes that shade receivers.
 #[derive(Debug)]
-pub(crate) struct Shading {
-    kernel: Kernel,
+pub(crate) struct Lit {
     order: usize,
-    capacity: u32,
-    lighting: Buffer,
-    blockers: Option<Buffer>,
-    group: BindGroup,
+    max_emitters: u32,
+    record: Buffer,
+    emitters: Buffer,
 }
 
-impl Shading {
-    pub fn new(
-        device: &Device,
-        pass: Pass,
-        module: &ShaderModule,
-        order: usize,
-        capacity: Option<u32>,
-    ) -> Result<Self, Error> {
-        let size = u64::from(capacity.unwrap_or(0).max(1)) * size_of::<Sphere>() as u64;
-        let limits = device.limits();
-        let (max_binding, max_buffer) = (
-            limits.max_storage_buffer_binding_size,
-            limits.max_buffer_size,
-        );
-        Error::within(
-            "room for blockers",
-            size,
-            "max_storage_buffer_binding_size",
-            max_binding,
+impl Lit {
+    pub fn new(device: &Device, order: usize, max_emitters: u32) -> Result<Self, Error> {
+        let record = size_of::<Lighting>() as u64;
+        let emitters = room(
+            device,
+            "room for emitters",
+            max_emitters,
+            size_of::<Emitter>(),
         )?;
-        Error::within("room for blockers", size, "max_buffer_size", max_buffer)?;
-        let compute = ShaderStages::COMPUTE;
-        let read = BufferBindingType::Storage { read_only: true };
-        let write = BufferBindingType::Storage { read_only: false };
-        let own = [
-            buffer_entry(0, compute, BufferBindingType::Uniform, false),
-            buffer_entry(1, compute, read, false),
-        ];
-        let host = [
-            buffer_entry(0, compute, read, false),
-            buffer_entry(1, compute, write, false),
-        ];
-        let own = if capacity.is_some() {
-            &own[..]
-        } else {
-            &own[..1]
-        };
-        let kernel = Kernel::new(device, module, pass.name(), [own, &host]);
-        let buffer = |label: &str, size: u64, usage: BufferUsages| {
-            device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(&format!("{} {label}", kernel.label)),
-                size,
-                usage: usage | BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            })
-        };
-        let lighting = buffer(
-            "lighting",
-            size_of::<Lighting>() as u64,
-            BufferUsages::UNIFORM,
-        );
-        let blockers = capacity.map(|_| buffer("blockers", size, BufferUsages::STORAGE));
-        let mut entries = vec![BindGroupEntry {
-            binding: 0,
-            resource: lighting.as_entire_binding(),
-        }];
-        if let Some(blockers) = &blockers {
-            entries.push(BindGroupEntry {
-                binding: 1,
-                resource: blockers.as_entire_binding(),
-            });
-        }
-        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(&kernel.label),
-            layout: &kernel.groups[0],
-            entries: &entries,
-        });
         Ok(Self {
             order,
-            capacity: capacity.unwrap_or(0),
-            lighting,
-            blockers,
-            group,
-            kernel,
+            max_emitters,
+            record: buffer(device, "gaunt lighting", record, BufferUsages::UNIFORM),
+            emitters: buffer(device, "gaunt emitters", emitters, BufferUsages::STORAGE),
         })
     }
 
-    pub fn prepare(&self, queue: &Queue, blockers: &[Sphere], light: &Light) -> Result<(), Error> {
+    /// Layout entries, two from `first` on.
+    pub fn layout(first: u32) -> [BindGroupLayoutEntry; 2] {
+        let read = BufferBindingType::Storage { read_only: true };
+        let entry = |binding, ty| buffer_entry(binding, ShaderStages::COMPUTE, ty, false);
+        [
+            entry(first, BufferBindingType::Uniform),
+            entry(first + 1, read),
+        ]
+    }
+
+    /// What goes with [`layout`](Self::layout).
+    pub fn entries(&self, first: u32) -> [BindGroupEntry<'_>; 2] {
+        [
+            BindGroupEntry {
+                binding: first,
+                resource: self.record.as_entire_binding(),
+            },
+            BindGroupEntry {
+                binding: first + 1,
+                resource: self.emitters.as_entire_binding(),
+            },
+        ]
+    }
+
+    /// Uploads the record and the emitters, for so many nodes that are there already.
+    pub fn prepare(
+        &self,
+        queue: &Queue,
+        light: &Light,
+        nodes: u32,
+        limits: Limits,
+    ) -> Result<(), Error> {
         let count = light.coefficients.len();
         if light.order != self.order || count != self.order * self.order {
             return Err(Error::Light {
@@ -108,46 +76,52 @@ impl Shading {
                 expected: self.order,
             });
         }
-        if blockers.len() > self.capacity as usize {
-            return Err(Error::Blockers {
-                count: blockers.len(),
-                capacity: self.capacity,
+        let emitters = light.emitters.len();
+        if emitters > self.max_emitters as usize {
+            return Err(Error::Emitters {
+                count: emitters,
+                capacity: self.max_emitters,
             });
         }
         let mut record = Lighting {
-            blockers: blockers.len() as u32,
+            nodes,
+            emitters: emitters as u32,
+            sin_max: limits.sin_max,
+            sin_min: limits.sin_min,
             ..Lighting::zeroed()
         };
         for (slot, [r, g, b]) in record.coefficients.iter_mut().zip(&light.coefficients) {
             *slot = [*r, *g, *b, 0.0];
         }
-        queue.write_buffer(&self.lighting, 0, bytemuck::bytes_of(&record));
-        if let (Some(buffer), false) = (&self.blockers, blockers.is_empty()) {
-            queue.write_buffer(buffer, 0, bytemuck::cast_slice(blockers));
+        queue.write_buffer(&self.record, 0, bytemuck::bytes_of(&record));
+        if emitters > 0 {
+            queue.write_buffer(&self.emitters, 0, bytemuck::cast_slice(&light.emitters));
         }
         Ok(())
     }
+}
 
-    pub fn bind(
-        &self,
-        device: &Device,
-        receivers: BufferBinding<'_>,
-        radiance: BufferBinding<'_>,
-    ) -> Result<Bound, Error> {
-        let receivers = Slot::counting("receivers", size_of::<Receiver>() as u64, receivers);
-        self.kernel.bind(
-            device,
-            &[receivers, Slot::with("radiance", 16, 1, radiance)],
-        )
-    }
+/// Bytes of so many records, at least of one, if the device has room for them.
+pub(crate) fn room(
+    device: &Device,
+    what: &'static str,
+    count: u32,
+    size: usize,
+) -> Result<u64, Error> {
+    let size = u64::from(count.max(1)) * size as u64;
+    let limits = device.limits();
+    let binding = limits.max_storage_buffer_binding_size;
+    Error::within(what, size, "max_storage_buffer_binding_size", binding)?;
+    Error::within(what, size, "max_buffer_size", limits.max_buffer_size)?;
+    Ok(size)
+}
 
-    pub fn record(
-        &self,
-        encoder: &mut CommandEncoder,
-        bound: &Bound,
-        timestamps: Option<ComputePassTimestampWrites<'_>>,
-    ) {
-        self.kernel
-            .record(encoder, (&self.group, &[]), bound, timestamps);
-    }
+/// A buffer that the queue writes.
+pub(crate) fn buffer(device: &Device, label: &str, size: u64, usage: BufferUsages) -> Buffer {
+    device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size,
+        usage: usage | BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
 }

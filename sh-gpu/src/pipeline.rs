@@ -55,7 +55,7 @@ pub(crate) fn shader(device: &Device, pass: Pass, order: usize) -> Result<Shader
 /// A shader module with one of the kernels' texts.
 pub(crate) fn module(device: &Device, label: &str, source: &str) -> Result<ShaderModule, Error> {
     let limits = device.limits();
-    let (needed, available) = (4, limits.max_storage_buffers_per_shader_stage.into());
+    let (needed, available) = (8, limits.max_storage_buffers_per_shader_stage.into());
     Error::within(
         "a pass",
         needed,
@@ -112,7 +112,11 @@ impl Kernel {
             layout: Some(&layout),
             module: shader,
             entry_point: Some(name),
-            compilation_options: Default::default(),
+            compilation_options: wgpu::PipelineCompilationOptions {
+                // No kernel reads what it has not written.
+                zero_initialize_workgroup_memory: false,
+                ..Default::default()
+            },
             cache: None,
         });
         let limits = device.limits();
@@ -126,9 +130,48 @@ impl Kernel {
         }
     }
 
+    /// Group 0.
+    pub fn own(&self, device: &Device, entries: &[BindGroupEntry<'_>]) -> BindGroup {
+        device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(&self.label),
+            layout: &self.groups[0],
+            entries,
+        })
+    }
+
     /// A bind group of storage buffers for group 1. The first slot that needs one element an invocation
     /// says how many invocations there are; all others must hold enough for it.
     pub fn bind(&self, device: &Device, slots: &[Slot<'_>]) -> Result<Bound, Error> {
+        let (group, count) = self.group(device, slots)?;
+        let [across, down] = self.spread(count.div_ceil(u64::from(WORKGROUP)))?;
+        Ok(Bound {
+            group,
+            workgroups: [across, down, 1],
+        })
+    }
+
+    /// As [`bind`](Self::bind) for a kernel with a workgroup for every 64 elements of each of many groups of elements,
+    /// the largest of which has `largest`: x counts within a group, y and z count groups.
+    pub fn bind_groups(
+        &self,
+        device: &Device,
+        slots: &[Slot<'_>],
+        groups: u64,
+        largest: u64,
+    ) -> Result<Bound, Error> {
+        let (group, _) = self.group(device, slots)?;
+        let (across, axis) = (largest.div_ceil(u64::from(WORKGROUP)), self.axis.into());
+        let limit = "max_compute_workgroups_per_dimension";
+        Error::within("the number of workgroups of a cluster", across, limit, axis)?;
+        let [down, deep] = self.spread(groups)?;
+        Ok(Bound {
+            group,
+            workgroups: [across as u32, down, deep],
+        })
+    }
+
+    /// The bind group, and the number of elements of what counts.
+    fn group(&self, device: &Device, slots: &[Slot<'_>]) -> Result<(BindGroup, u64), Error> {
         let mut sizes = Vec::with_capacity(slots.len());
         for slot in slots {
             sizes.push(self.elements(slot)?);
@@ -160,14 +203,11 @@ impl Kernel {
             layout: &self.groups[1],
             entries: &entries,
         });
-        Ok(Bound {
-            group,
-            workgroups: self.workgroups(count)?,
-        })
+        Ok((group, count))
     }
 
     /// How many elements a binding holds, once it is looked over.
-    fn elements(&self, slot: &Slot<'_>) -> Result<u64, Error> {
+    pub fn elements(&self, slot: &Slot<'_>) -> Result<u64, Error> {
         let Slot {
             name,
             stride,
@@ -210,11 +250,10 @@ impl Kernel {
         Ok(size / stride)
     }
 
-    /// Workgroups for so many elements, over two axes.
-    fn workgroups(&self, elements: u64) -> Result<[u32; 2], Error> {
-        let groups = elements.div_ceil(u64::from(WORKGROUP));
+    /// So many workgroups over two axes.
+    fn spread(&self, groups: u64) -> Result<[u32; 2], Error> {
         let axis = u64::from(self.axis);
-        let down = groups.div_ceil(axis);
+        let down = groups.div_ceil(axis).max(1);
         Error::within(
             "the number of workgroup rows",
             down,
@@ -240,7 +279,8 @@ impl Kernel {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, own.0, own.1);
         pass.set_bind_group(1, &bound.group, &[]);
-        pass.dispatch_workgroups(bound.workgroups[0], bound.workgroups[1], 1);
+        let [x, y, z] = bound.workgroups;
+        pass.dispatch_workgroups(x, y, z);
         pass.pop_debug_group();
     }
 }
@@ -287,5 +327,5 @@ impl<'a> Slot<'a> {
 #[derive(Clone, Debug)]
 pub struct Bound {
     group: BindGroup,
-    workgroups: [u32; 2],
+    workgroups: [u32; 3],
 }

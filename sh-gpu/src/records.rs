@@ -2,20 +2,25 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3};
+use sh_scene::upsample;
 
 /// `struct Lighting`: what is the same for all receivers.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct Lighting {
-    /// How many blocker spheres there are.
-    pub blockers: u32,
-    /// Fills up to 16 bytes.
-    pub padding: [u32; 3],
+    /// How many nodes the tree of blockers has.
+    pub nodes: u32,
+    /// How many analytic lights there are.
+    pub emitters: u32,
+    /// [`sh_scene::Limits::sin_max`].
+    pub sin_max: f32,
+    /// [`sh_scene::Limits::sin_min`].
+    pub sin_min: f32,
     /// SH coefficients of the environment's radiance: red, green, blue, 0. Those beyond the order are 0.
     pub coefficients: [[f32; 4]; 36],
 }
 
-/// `struct Band`: a horizontal band of the picture's grid of samples, and the camera.
+/// `struct Band`: a horizontal band of a grid of rays through the picture, and the camera.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct Band {
@@ -27,26 +32,58 @@ pub struct Band {
     pub near: f32,
     /// To the right, as long as half the picture is wide at distance 1.
     pub right: Vec3,
-    /// The band's first row of samples, counted from the picture's top.
+    /// The band's first row of cells, counted from the picture's top.
     pub first_row: u32,
     /// Upwards, as long as half the picture is tall at distance 1.
     pub up: Vec3,
-    /// Rows of samples.
+    /// Rows of cells.
     pub rows: u32,
     /// Unit vector the camera looks along.
     pub forward: Vec3,
     /// 1 where there is a ground plane.
     pub ground: u32,
-    /// Samples of the whole picture, across and down.
-    pub grid: [u32; 2],
+    /// The picture's extent in cells, across and down. Cells at the right and at the bottom may reach beyond it.
+    pub extent: [f32; 2],
+    /// Cells across.
+    pub columns: u32,
     /// Height of the ground, in metres.
     pub ground_height: f32,
-    /// Aligns what follows.
-    pub padding: u32,
     /// Linear reflectance of the ground.
     pub ground_albedo: Vec3,
+    /// What two pixels cover at distance 1: [`sh_scene::upsample::footprint`].
+    pub footprint: f32,
+    /// Columns of the grid at half resolution.
+    pub half_columns: u32,
+    /// Its rows.
+    pub half_rows: u32,
+    /// The first row of those that lie under this band, in whole rows of tiles.
+    pub half_first_row: u32,
     /// Fills up to a multiple of 16 bytes.
     pub tail: u32,
+}
+
+/// `struct UpsampleRule`: where light at half resolution will do for a sample.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct UpsampleRule {
+    /// The least sum of weights.
+    pub min_weight: f32,
+    /// The largest difference of shares.
+    pub max_spread: f32,
+    /// The cosine between normals from which on a receiver weighs.
+    pub normal_from: f32,
+    /// The weight from which on a receiver's share has a say in the difference.
+    pub corner: f32,
+}
+
+impl UpsampleRule {
+    /// The constants of [`sh_scene::upsample`].
+    pub const OURS: Self = Self {
+        min_weight: upsample::MIN_WEIGHT,
+        max_spread: upsample::MAX_SPREAD,
+        normal_from: upsample::NORMAL_FROM,
+        corner: upsample::CORNER,
+    };
 }
 
 /// `struct Body`: where a body stands and how it reflects.

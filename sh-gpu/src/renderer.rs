@@ -1,51 +1,10 @@
 //! A whole frame: the passes of a plan, band by band, recorded into the caller's encoder.
 
-use crate::{
-    Bands, Bodies, Bound, Error, GbufferPass, IrradiancePass, ResolvePass, ShadowOptions,
-    ShadowPass,
-};
-use sh_scene::{Light, PassKind, Plan, Receiver, Scene, View};
-use wgpu::{
-    Buffer, BufferBinding, BufferSize, BufferUsages, CommandEncoder, ComputePassTimestampWrites,
-    Device, QuerySet, Queue,
-};
-
-/// One pass of the plan, with what it binds for every band.
-#[derive(Debug)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "a handful of these exist, in one vector"
-)]
-enum Stage {
-    Gbuffer {
-        pass: GbufferPass,
-        bodies: Bodies,
-        bound: Vec<Bound>,
-    },
-    Irradiance {
-        pass: IrradiancePass,
-        bound: Vec<Bound>,
-    },
-    Shadow {
-        pass: ShadowPass,
-        bound: Vec<Bound>,
-    },
-    Resolve {
-        pass: ResolvePass,
-        bound: Vec<Bound>,
-    },
-}
-
-impl Stage {
-    fn kind(&self) -> PassKind {
-        match self {
-            Self::Gbuffer { .. } => PassKind::Gbuffer,
-            Self::Irradiance { .. } => PassKind::Irradiance,
-            Self::Shadow { .. } => PassKind::Shadow,
-            Self::Resolve { .. } => PassKind::Resolve,
-        }
-    }
-}
+use crate::buffers::Buffers;
+use crate::stages::{Setup, Stage, Work, is_half, shadow_pass};
+use crate::{Bands, Bodies, Error, ShadowPass};
+use sh_scene::{EnvironmentMap, Forest, Light, PassKind, Plan, Scene, View};
+use wgpu::{Buffer, CommandEncoder, ComputePassTimestampWrites, Device, QuerySet, Queue};
 
 /// Renders a scene into a buffer of pixels.
 ///
@@ -53,12 +12,26 @@ impl Stage {
 /// which create nothing on the device. Submitting, waiting and reading back are the host's.
 ///
 /// The picture is worked off in horizontal bands ([`Bands`]): G-buffer, receivers and radiance exist for
-/// one band at a time, and the bands follow each other in the encoder.
+/// one band at a time, and the bands follow each other in the encoder. Passes at half resolution come first, band by
+/// band as well; what they make is kept of the whole picture, 12 bytes a pixel.
 #[derive(Debug)]
 pub struct Renderer {
     bands: Bands,
+    halves: Option<Bands>,
+    bodies: Bodies,
+    /// One for all passes that shade.
+    shadow: Option<ShadowPass>,
     stages: Vec<Stage>,
     picture: Buffer,
+}
+
+/// What is recorded of a stage at once.
+#[derive(Clone, Copy)]
+enum Step {
+    /// One of its bands.
+    Band(u32),
+    /// The shares of one band at half resolution, before the first band of samples.
+    Shares(u32),
 }
 
 impl Renderer {
@@ -83,87 +56,78 @@ impl Renderer {
         view: &View,
         max_samples: u32,
     ) -> Result<Self, Error> {
-        let bands = Bands::new(device, view.width, view.height, max_samples)?;
-        let order = scene.settings.order;
-        let buffers = Buffers::new(device, &bands);
-        let each = |bind: &dyn Fn(u32) -> Result<Bound, Error>| -> Result<Vec<Bound>, Error> {
-            (0..bands.count()).map(bind).collect()
+        let bands = |grid| Bands::new(device, view, grid, max_samples);
+        let halves = match plan.passes.iter().any(is_half) {
+            true => Some(bands(view.halves())?),
+            false => None,
         };
-        let mut stages = Vec::with_capacity(plan.passes.len());
-        for planned in &plan.passes {
-            stages.push(match planned.kind {
-                PassKind::Gbuffer => {
-                    let pass = GbufferPass::new(device, &bands)?;
-                    let bound = each(&|band| {
-                        let [receivers, albedo, _] = buffers.of(&bands, band);
-                        pass.bind(device, receivers, albedo)
-                    })?;
-                    Stage::Gbuffer {
-                        bodies: Bodies::new(device, queue, scene)?,
-                        pass,
-                        bound,
-                    }
-                }
-                PassKind::Irradiance => {
-                    let pass = IrradiancePass::new(device, order)?;
-                    let bound = each(&|band| {
-                        let [receivers, _, radiance] = buffers.of(&bands, band);
-                        pass.bind(device, receivers, radiance)
-                    })?;
-                    Stage::Irradiance { pass, bound }
-                }
-                PassKind::Shadow => {
-                    let blockers: usize = scene.objects.iter().map(|o| o.spheres.len()).sum();
-                    let max_blockers = u32::try_from(blockers).unwrap_or(u32::MAX);
-                    let pass = ShadowPass::new(
-                        device,
-                        ShadowOptions {
-                            order,
-                            accumulation: scene.settings.accumulation,
-                            max_blockers,
-                        },
-                    )?;
-                    let bound = each(&|band| {
-                        let [receivers, _, radiance] = buffers.of(&bands, band);
-                        pass.bind(device, receivers, radiance)
-                    })?;
-                    Stage::Shadow { pass, bound }
-                }
-                PassKind::Resolve => {
-                    let pass = ResolvePass::new(device, queue, &bands, &scene.environment)?;
-                    let bound = each(&|band| {
-                        let [receivers, albedo, radiance] = buffers.of(&bands, band);
-                        let picture = buffers.picture_of(&bands, band);
-                        pass.bind(device, receivers, albedo, radiance, picture)
-                    })?;
-                    Stage::Resolve { pass, bound }
-                }
-            });
-        }
+        let bands = bands(view.samples())?;
+        let shadow = shadow_pass(device, scene, plan)?;
+        let buffers = Buffers::new(device, &bands, halves.as_ref())?;
+        let setup = Setup {
+            device,
+            queue,
+            scene,
+            bands: &bands,
+            halves: halves.as_ref(),
+            shadow: shadow.as_ref(),
+            buffers: &buffers,
+        };
+        let stages = plan.passes.iter().map(|pass| setup.stage(pass));
         Ok(Self {
-            bands,
-            stages,
+            stages: stages.collect::<Result<_, _>>()?,
+            bodies: Bodies::new(device, queue, scene)?,
             picture: buffers.picture,
+            bands,
+            halves,
+            shadow,
         })
     }
 
     /// Uploads what may change from frame to frame: the camera, where the objects and with them their
-    /// blockers stand, their albedo, the light. Meshes, textures, the environment map, the number of
-    /// spheres and the picture's size stay those given to [`new`](Self::new).
+    /// blockers stand, their albedo, the light. `blockers` is the scene's tree as [`Forest::update`] left it. Textures,
+    /// the number of spheres and lights and the picture's size stay those given to [`new`](Self::new), and so do meshes
+    /// and the environment map until [`update_meshes`](Self::update_meshes) and
+    /// [`update_environment`](Self::update_environment).
     pub fn prepare(
         &self,
         queue: &Queue,
         scene: &Scene,
+        blockers: &Forest,
         light: &Light,
         view: &View,
     ) -> Result<(), Error> {
         self.bands.prepare(queue, view, scene.ground)?;
+        if let Some(halves) = &self.halves {
+            halves.prepare(queue, view, scene.ground)?;
+        }
+        self.bodies.prepare(queue, scene)?;
+        if let Some(shadow) = &self.shadow {
+            shadow.prepare(queue, blockers, scene.settings.limits, light)?;
+        }
         for stage in &self.stages {
-            match stage {
-                Stage::Gbuffer { bodies, .. } => bodies.prepare(queue, scene)?,
-                Stage::Irradiance { pass, .. } => pass.prepare(queue, light)?,
-                Stage::Shadow { pass, .. } => pass.prepare(queue, &scene.world_spheres(), light)?,
-                Stage::Resolve { .. } => {}
+            if let Work::Irradiance { pass, .. } = &stage.work {
+                pass.prepare(queue, light)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Uploads the meshes' vertices anew, where [`prepare`](Self::prepare) alone does not do: in a scene that
+    /// bends.
+    pub fn update_meshes(&self, queue: &Queue, scene: &Scene) -> Result<(), Error> {
+        self.bodies.update_meshes(queue, scene)
+    }
+
+    /// Uploads the environment map anew, of the size it had: where it turns or changes.
+    pub fn update_environment(
+        &self,
+        queue: &Queue,
+        environment: &EnvironmentMap,
+    ) -> Result<(), Error> {
+        for stage in &self.stages {
+            if let Work::Resolve { pass, .. } = &stage.work {
+                pass.update_environment(queue, environment)?;
             }
         }
         Ok(())
@@ -173,21 +137,32 @@ impl Renderer {
     /// or more, every pass of every band writes when it began and ended.
     pub fn record(&self, encoder: &mut CommandEncoder, queries: Option<&QuerySet>) {
         encoder.push_debug_group("gaunt frame");
-        for band in 0..self.bands.count() {
-            for (index, stage) in self.stages.iter().enumerate() {
-                let first = 2 * (band * self.stages.len() as u32 + index as u32);
-                let stamps = queries.map(|set| (set, [first, first + 1]));
-                self.record_stage(encoder, stage, band, stamps);
-            }
+        for (first, (stage, step)) in (0..).step_by(2).zip(self.steps()) {
+            let stamps = queries.map(|set| (set, [first, first + 1]));
+            self.record_step(encoder, stage, step, stamps);
         }
         encoder.pop_debug_group();
     }
 
-    fn record_stage(
+    /// All there is to record, in order.
+    fn steps(&self) -> impl Iterator<Item = (&Stage, Step)> {
+        let half_bands = self.halves.as_ref().map_or(0, Bands::count);
+        let stages = |half: bool| self.stages.iter().filter(move |stage| stage.half == half);
+        let upsampled = move || stages(false).filter(|stage| stage.kind == PassKind::Upsample);
+        let halves = (0..half_bands)
+            .flat_map(move |band| stages(true).map(move |stage| (stage, Step::Band(band))));
+        let shares = (0..half_bands)
+            .flat_map(move |band| upsampled().map(move |stage| (stage, Step::Shares(band))));
+        let samples = (0..self.bands.count())
+            .flat_map(move |band| stages(false).map(move |stage| (stage, Step::Band(band))));
+        halves.chain(shares).chain(samples)
+    }
+
+    fn record_step(
         &self,
         encoder: &mut CommandEncoder,
         stage: &Stage,
-        band: u32,
+        step: Step,
         stamps: Option<(&QuerySet, [u32; 2])>,
     ) {
         let writes = stamps.map(|(query_set, [begin, end])| ComputePassTimestampWrites {
@@ -195,20 +170,32 @@ impl Renderer {
             beginning_of_pass_write_index: Some(begin),
             end_of_pass_write_index: Some(end),
         });
+        let band = match (step, &stage.work) {
+            (Step::Band(band), _) => band,
+            (Step::Shares(band), Work::Upsample { pass, shares, .. }) => {
+                return pass.record_shares(encoder, &shares[band as usize], writes);
+            }
+            (Step::Shares(_), _) => return,
+        };
         let at = band as usize;
-        match stage {
-            Stage::Gbuffer {
-                pass,
-                bodies,
-                bound,
-            } => {
-                pass.record(encoder, &self.bands, band, bodies, &bound[at], stamps);
+        let bands = match &self.halves {
+            Some(halves) if stage.half => halves,
+            _ => &self.bands,
+        };
+        match (&stage.work, &self.shadow) {
+            (Work::Gbuffer { pass, bound }, _) => {
+                pass.record(encoder, bands, band, &self.bodies, &bound[at], stamps);
             }
-            Stage::Irradiance { pass, bound } => pass.record(encoder, &bound[at], writes),
-            Stage::Shadow { pass, bound } => pass.record(encoder, &bound[at], writes),
-            Stage::Resolve { pass, bound } => {
-                pass.record(encoder, &self.bands, band, &bound[at], writes);
+            (Work::Irradiance { pass, bound }, _) => pass.record(encoder, &bound[at], writes),
+            (Work::Shadow { bound }, Some(shadow)) => shadow.record(encoder, &bound[at], writes),
+            (Work::Upsample { pass, bound, .. }, Some(shadow)) => {
+                pass.record(encoder, bands, band, shadow, &bound[at], writes);
             }
+            (Work::Resolve { pass, bound }, _) => {
+                pass.record(encoder, bands, band, &bound[at], writes);
+            }
+            // Neither is made without a shadow pass.
+            (Work::Shadow { .. } | Work::Upsample { .. }, None) => {}
         }
     }
 
@@ -220,79 +207,20 @@ impl Renderer {
 
     /// How many timestamps a frame writes.
     pub fn timestamps(&self) -> u32 {
-        2 * self.bands.count() * self.stages.len() as u32
+        2 * self.steps().count() as u32
     }
 
     /// The time each pass of the plan took, over all bands, in nanoseconds, from a frame's timestamps and
     /// `Queue::get_timestamp_period`.
     pub fn times(&self, timestamps: &[u64], period: f32) -> Vec<(PassKind, f64)> {
-        let stages = self.stages.len();
-        let mut times: Vec<_> = self
-            .stages
-            .iter()
-            .map(|stage| (stage.kind(), 0.0))
-            .collect();
-        for (index, [begin, end]) in timestamps.as_chunks().0.iter().enumerate() {
-            times[index % stages].1 += end.saturating_sub(*begin) as f64 * f64::from(period);
+        let mut times: Vec<_> = self.stages.iter().map(|stage| (stage.kind, 0.0)).collect();
+        for ((stage, _), [begin, end]) in self.steps().zip(timestamps.as_chunks().0) {
+            let spent = end.saturating_sub(*begin) as f64 * f64::from(period);
+            let same = |other: &Stage| std::ptr::eq(other, stage);
+            if let Some(index) = self.stages.iter().position(same) {
+                times[index].1 += spent;
+            }
         }
         times
-    }
-}
-
-/// What the passes of a frame hand each other: one band's samples, and the picture.
-struct Buffers {
-    samples: [(Buffer, u64); 3],
-    picture: Buffer,
-}
-
-impl Buffers {
-    fn new(device: &Device, bands: &Bands) -> Self {
-        let buffer = |name: &str, size: u64, usage: BufferUsages| {
-            device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(&format!("gaunt {name}")),
-                size,
-                usage: usage | BufferUsages::STORAGE,
-                mapped_at_creation: false,
-            })
-        };
-        let strides = [
-            ("receivers", size_of::<Receiver>() as u64),
-            ("albedo", 16),
-            ("radiance", 16),
-        ];
-        let samples = strides.map(|(name, stride)| {
-            (
-                buffer(name, bands.samples(0) * stride, BufferUsages::empty()),
-                stride,
-            )
-        });
-        let pixels = (0..bands.count())
-            .map(|band| bands.picture_range(band).1)
-            .sum();
-        Self {
-            samples,
-            picture: buffer("picture", pixels, BufferUsages::COPY_SRC),
-        }
-    }
-
-    /// Receivers, albedo and radiance, as large as a band.
-    fn of(&self, bands: &Bands, band: u32) -> [BufferBinding<'_>; 3] {
-        self.samples
-            .each_ref()
-            .map(|(buffer, stride)| BufferBinding {
-                buffer,
-                offset: 0,
-                size: BufferSize::new(bands.samples(band) * stride),
-            })
-    }
-
-    /// A band's part of the picture.
-    fn picture_of(&self, bands: &Bands, band: u32) -> BufferBinding<'_> {
-        let (offset, size) = bands.picture_range(band);
-        BufferBinding {
-            buffer: &self.picture,
-            offset,
-            size: BufferSize::new(size),
-        }
     }
 }

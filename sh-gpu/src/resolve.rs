@@ -4,10 +4,9 @@ use crate::pipeline::{Kernel, Slot, buffer_entry, shader, texture_entry};
 use crate::{Bands, Bound, Error};
 use sh_kernels::{MIN_ORDER, Pass};
 use sh_scene::{EnvironmentMap, Receiver, View};
-use wgpu::util::{DeviceExt, TextureDataOrder};
 use wgpu::{
     BindGroup, BindGroupEntry, BindingResource, BufferBinding, BufferBindingType, CommandEncoder,
-    ComputePassTimestampWrites, Device, Queue, ShaderStages,
+    ComputePassTimestampWrites, Device, Queue, ShaderStages, Texture,
 };
 
 /// Samples to pixels, on the host's device and encoder.
@@ -15,6 +14,7 @@ use wgpu::{
 pub struct ResolvePass {
     kernel: Kernel,
     group: BindGroup,
+    environment: Texture,
 }
 
 impl ResolvePass {
@@ -26,11 +26,7 @@ impl ResolvePass {
         bands: &Bands,
         environment: &EnvironmentMap,
     ) -> Result<Self, Error> {
-        let EnvironmentMap {
-            width,
-            height,
-            pixels,
-        } = environment;
+        let EnvironmentMap { width, height, .. } = environment;
         let side = u64::from(device.limits().max_texture_dimension_2d);
         let longest = u64::from(*width.max(height));
         Error::within(
@@ -39,13 +35,7 @@ impl ResolvePass {
             "max_texture_dimension_2d",
             side,
         )?;
-        if pixels.is_empty() || pixels.len() as u64 != u64::from(*width) * u64::from(*height) {
-            return Err(Error::Environment {
-                width: *width,
-                height: *height,
-                texels: pixels.len(),
-            });
-        }
+        check(environment)?;
         let module = shader(device, Pass::Resolve, MIN_ORDER)?;
         let compute = ShaderStages::COMPUTE;
         let float = wgpu::TextureSampleType::Float { filterable: false };
@@ -60,7 +50,6 @@ impl ResolvePass {
             buffer_entry(binding, compute, ty, false)
         });
         let kernel = Kernel::new(device, &module, "resolve", [&own, &host]);
-        let texels: Vec<[f32; 4]> = pixels.iter().map(|[r, g, b]| [*r, *g, *b, 0.0]).collect();
         let descriptor = wgpu::TextureDescriptor {
             label: Some("gaunt environment"),
             size: wgpu::Extent3d {
@@ -72,32 +61,42 @@ impl ResolvePass {
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
             format: wgpu::TextureFormat::Rgba32Float,
-            usage: wgpu::TextureUsages::TEXTURE_BINDING,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         };
-        let bytes = bytemuck::cast_slice(&texels);
-        let map = device
-            .create_texture_with_data(queue, &descriptor, TextureDataOrder::LayerMajor, bytes)
-            .create_view(&Default::default());
-        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(&kernel.label),
-            layout: &kernel.groups[0],
-            entries: &[
-                BindGroupEntry {
-                    binding: 0,
-                    resource: bands.binding(),
-                },
-                BindGroupEntry {
-                    binding: 1,
-                    resource: BindingResource::TextureView(&map),
-                },
-            ],
-        });
-        Ok(Self { kernel, group })
+        let texture = device.create_texture(&descriptor);
+        write(queue, &texture, environment);
+        let map = texture.create_view(&Default::default());
+        let entry = |binding, resource| BindGroupEntry { binding, resource };
+        let map = entry(1, BindingResource::TextureView(&map));
+        let group = kernel.own(device, &[entry(0, bands.binding()), map]);
+        Ok(Self {
+            kernel,
+            group,
+            environment: texture,
+        })
+    }
+
+    /// Uploads another environment map in the place of the first, of the same size, for what is submitted next.
+    pub fn update_environment(
+        &self,
+        queue: &Queue,
+        environment: &EnvironmentMap,
+    ) -> Result<(), Error> {
+        let EnvironmentMap { width, height, .. } = environment;
+        if (*width, *height) != (self.environment.width(), self.environment.height()) {
+            return Err(Error::EnvironmentSize {
+                size: [*width, *height],
+                uploaded: [self.environment.width(), self.environment.height()],
+            });
+        }
+        check(environment)?;
+        write(queue, &self.environment, environment);
+        Ok(())
     }
 
     /// Binds receivers ([`Receiver`], 32 bytes each), albedo and radiance (`vec4f`, 16 bytes each) of one
-    /// band's samples, row by row, all read, and the band's part of the picture
+    /// band's samples, tile by tile ([`sh_scene::Tiles`]), all read, and the band's part of the picture
     /// ([`Bands::picture_range`]), written: linear red, green, blue, and the share of the pixel's samples
     /// that hit something, as `vec4f`.
     pub fn bind(
@@ -134,4 +133,34 @@ impl ResolvePass {
             timestamps,
         );
     }
+}
+
+/// Whether a map has a texel for every place.
+fn check(environment: &EnvironmentMap) -> Result<(), Error> {
+    let EnvironmentMap {
+        width,
+        height,
+        pixels,
+    } = environment;
+    match pixels.len() as u64 == u64::from(*width) * u64::from(*height) && !pixels.is_empty() {
+        true => Ok(()),
+        false => Err(Error::Environment {
+            width: *width,
+            height: *height,
+            texels: pixels.len(),
+        }),
+    }
+}
+
+/// Uploads a map to a texture of its size.
+fn write(queue: &Queue, texture: &Texture, environment: &EnvironmentMap) {
+    let pixels = environment.pixels.iter();
+    let texels: Vec<[f32; 4]> = pixels.map(|[r, g, b]| [*r, *g, *b, 0.0]).collect();
+    let layout = wgpu::TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: Some(environment.width * 16),
+        rows_per_image: None,
+    };
+    let bytes = bytemuck::cast_slice(&texels);
+    queue.write_texture(texture.as_image_copy(), bytes, layout, texture.size());
 }

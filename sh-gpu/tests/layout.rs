@@ -1,9 +1,9 @@
 //! The records of the kernels and those of Rust have the same layout, as naga lays WGSL out.
 
 use naga::proc::Layouter;
-use sh_gpu::records::{Band, Body, Lighting};
+use sh_gpu::records::{Band, Body, Lighting, UpsampleRule};
 use sh_kernels::{MAX_ORDER, MIN_ORDER, Pass, source};
-use sh_scene::{Receiver, Sphere};
+use sh_scene::{Emitter, Node, Receiver};
 use std::mem::offset_of;
 
 /// Size and member offsets of a struct in a kernel.
@@ -50,23 +50,58 @@ fn records_are_laid_out_alike() {
                 }
             );
         }
-        for pass in [Pass::Irradiance, Pass::Shadow] {
+        for pass in [Pass::Irradiance, Pass::Shadow, Pass::Upsample] {
             same_layout!(
                 pass,
                 order,
                 Lighting {
-                    blockers,
+                    nodes,
+                    emitters,
+                    sin_max,
+                    sin_min,
                     coefficients
                 }
             );
+            same_layout!(
+                pass,
+                order,
+                Emitter {
+                    center,
+                    radius,
+                    radiance,
+                    local,
+                    gains
+                }
+            );
         }
-        same_layout!(Pass::Shadow, order, Sphere { center, radius });
+        same_layout!(
+            Pass::Shadow,
+            order,
+            Node {
+                center,
+                radius,
+                area,
+                parent,
+                skip,
+                sphere
+            }
+        );
+        same_layout!(
+            Pass::Upsample,
+            order,
+            UpsampleRule {
+                min_weight,
+                max_spread,
+                normal_from,
+                corner
+            }
+        );
     }
 }
 
 #[test]
 fn camera_and_body_are_laid_out_alike() {
-    for pass in [Pass::Gbuffer, Pass::Resolve] {
+    for pass in [Pass::Gbuffer, Pass::Upsample, Pass::Resolve] {
         same_layout!(
             pass,
             MIN_ORDER,
@@ -80,9 +115,14 @@ fn camera_and_body_are_laid_out_alike() {
                 rows,
                 forward,
                 ground,
-                grid,
+                extent,
+                columns,
                 ground_height,
-                ground_albedo
+                ground_albedo,
+                footprint,
+                half_columns,
+                half_rows,
+                half_first_row
             }
         );
     }

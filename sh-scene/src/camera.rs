@@ -102,13 +102,31 @@ impl View {
         [right, right.cross(forward), forward]
     }
 
-    /// Unit direction through sample column `x`, row `y` (from the top left, in samples).
-    pub fn ray(&self, x: u32, y: u32) -> Vec3 {
+    /// The grid of samples that pixels are made of: [`View::OVERSAMPLE`] a pixel in each direction.
+    pub fn samples(&self) -> Grid {
+        Grid {
+            columns: self.width * Self::OVERSAMPLE,
+            rows: self.height * Self::OVERSAMPLE,
+            spacing: 1.0 / Self::OVERSAMPLE as f32,
+        }
+    }
+
+    /// The grid at half the picture's resolution: a ray through the middle of every two by two pixels. The last
+    /// column and row of a picture with odd sides reach half a cell beyond it.
+    pub fn halves(&self) -> Grid {
+        Grid {
+            columns: self.width.div_ceil(2),
+            rows: self.height.div_ceil(2),
+            spacing: 2.0,
+        }
+    }
+
+    /// Unit direction through column `x`, row `y` of a grid, from the top left.
+    pub fn ray(&self, grid: Grid, x: u32, y: u32) -> Vec3 {
         let [right, up, forward] = self.axes();
         let tall = (self.camera.fov * 0.5).tan();
         let wide = tall * self.width as f32 / self.height as f32;
-        let u = 2.0 * (x as f32 + 0.5) / (self.width * Self::OVERSAMPLE) as f32 - 1.0;
-        let v = 1.0 - 2.0 * (y as f32 + 0.5) / (self.height * Self::OVERSAMPLE) as f32;
+        let [u, v] = grid.place(self, x, y);
         (forward + right * (u * wide) + up * (v * tall)).normalize()
     }
 
@@ -126,6 +144,81 @@ impl View {
             row(forward, 1.0),
         )
         .transpose()
+    }
+}
+
+/// Rays through a view, one every `spacing` pixels in each direction, the first half a step from the top left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid {
+    /// Rays across.
+    pub columns: u32,
+    /// Rays down.
+    pub rows: u32,
+    /// Pixels between two neighbours.
+    pub spacing: f32,
+}
+
+impl Grid {
+    /// Where the ray of a column and row goes through the picture: -1 left and bottom, 1 right and top.
+    pub fn place(&self, view: &View, x: u32, y: u32) -> [f32; 2] {
+        let at = |i: u32, side: u32| 2.0 * (i as f32 + 0.5) * self.spacing / side as f32 - 1.0;
+        [at(x, view.width), -at(y, view.height)]
+    }
+
+    /// How the passes store what they compute for this grid: tile by tile.
+    pub fn tiles(&self) -> Tiles {
+        Tiles {
+            columns: self.columns.div_ceil(Tiles::SIDE),
+            rows: self.rows.div_ceil(Tiles::SIDE),
+        }
+    }
+}
+
+/// A grid cut into square tiles, stored one after another, row by row of tiles, and row by row within a tile.
+/// Every tile is a cluster of receivers that share a cut of blockers; tiles at the right and bottom edge are filled
+/// up with receivers that are not covered.
+///
+/// ```
+/// let tiles = sh_scene::Tiles { columns: 3, rows: 2 };
+/// assert_eq!(tiles.index(0, 0), 0);
+/// assert_eq!(tiles.index(17, 1), 256 + 16 + 1);
+/// assert_eq!(tiles.len(), 6 * 256);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tiles {
+    /// Tiles across.
+    pub columns: u32,
+    /// Tiles down.
+    pub rows: u32,
+}
+
+impl Tiles {
+    /// Cells of a tile across and down.
+    pub const SIDE: u32 = 16;
+
+    /// Cells of a tile.
+    pub const AREA: usize = (Self::SIDE * Self::SIDE) as usize;
+
+    /// Where the cell of column `x` and row `y` is stored.
+    pub fn index(&self, x: u32, y: u32) -> usize {
+        let tile = (y / Self::SIDE) as usize * self.columns as usize + (x / Self::SIDE) as usize;
+        tile * Self::AREA + (y % Self::SIDE * Self::SIDE + x % Self::SIDE) as usize
+    }
+
+    /// How many cells are stored.
+    pub fn len(&self) -> usize {
+        self.columns as usize * self.rows as usize * Self::AREA
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The cells of each tile: clusters for the shadow pass.
+    pub fn clusters(&self) -> Vec<std::ops::Range<usize>> {
+        let first = (0..self.len()).step_by(Self::AREA);
+        first.map(|first| first..first + Self::AREA).collect()
     }
 }
 

@@ -83,18 +83,33 @@ impl EnvironmentMap {
     /// The map turned about +Y by `angle` radians, counter-clockwise seen from above: what was in direction
     /// d is then in direction R d. Between two columns the turned map interpolates.
     pub fn rotated(&self, angle: f32) -> Self {
+        let mut turned = Self {
+            width: 0,
+            height: 0,
+            pixels: Vec::new(),
+        };
+        self.rotated_into(angle, &mut turned);
+        turned
+    }
+
+    /// As [`rotated`](Self::rotated), written over `turned`, whose room is used again.
+    pub fn rotated_into(&self, angle: f32, turned: &mut Self) {
         // R turns +Z towards +X and with it φ to φ − angle: output column x shows column x + shift.
         let shift = (angle / TAU).rem_euclid(1.0) * self.width as f32;
         let (whole, part) = (shift.floor() as usize, shift - shift.floor());
         let width = self.width as usize;
-        let mut pixels = Vec::with_capacity(self.pixels.len());
+        let whole = whole % width;
+        (turned.width, turned.height) = (self.width, self.height);
+        turned.pixels.clear();
+        turned.pixels.reserve(self.pixels.len());
+        let mix = |a: &[f32; 3], b: &[f32; 3]| std::array::from_fn(|i| a[i] + (b[i] - a[i]) * part);
         for row in self.pixels.chunks_exact(width) {
-            for x in 0..width {
-                let (a, b) = (row[(x + whole) % width], row[(x + whole + 1) % width]);
-                pixels.push(std::array::from_fn(|i| a[i] + (b[i] - a[i]) * part));
-            }
+            // The columns from `whole` on, the seam, and those before it, each with its right neighbour.
+            let pairs = row.array_windows().map(|[a, b]| mix(a, b));
+            turned.pixels.extend(pairs.clone().skip(whole));
+            turned.pixels.push(mix(&row[width - 1], &row[0]));
+            turned.pixels.extend(pairs.take(whole));
         }
-        Self { pixels, ..*self }
     }
 
     /// The map with every texel multiplied by `factor`.

@@ -1,5 +1,5 @@
 //! What both backends read: a resolved [`Scene`], the records that go to the passes ([`Receiver`],
-//! [`Sphere`]), [`Light`] as spherical harmonics, and the [`Plan`] of passes a scene needs.
+//! [`Sphere`]), [`Light`] as spherical harmonics, the [`Plan`] of passes a scene needs, and its [`motion`].
 //!
 //! Nothing here loads a file: a host with its own loaders needs only this crate. +Y is up, lengths are in
 //! metres, angles in radians, radiance and albedo linear Rec.709.
@@ -13,16 +13,26 @@
 //! # Ok::<(), sh_scene::LightError>(())
 //! ```
 
+mod blockers;
 mod camera;
+mod clusters;
+mod emitter;
 mod environment;
 mod light;
+mod lloyd;
+pub mod motion;
 mod plan;
 mod quality;
 mod records;
+pub mod ringing;
 mod scene;
 mod sky;
+pub mod upsample;
 
-pub use camera::{Camera, View};
+pub use blockers::{Blocker, Bounds, Forest, Limits, Node, Side};
+pub use camera::{Camera, Grid, Tiles, View};
+pub use clusters::Clusters;
+pub use emitter::{AreaLight, AreaShape, Emitter};
 pub use environment::EnvironmentMap;
 pub use light::{Light, LightError};
 pub use plan::{Pass, PassKind, Plan, Resolution, Resource};

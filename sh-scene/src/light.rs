@@ -1,15 +1,20 @@
 //! Environment light as SH vectors.
 
-use crate::{EnvironmentMap, Ground};
+use crate::{AreaLight, Emitter, EnvironmentMap, Ground, ringing};
 use sh_core::{Routines, ShRgb, project};
 
-/// An environment's radiance as three SH vectors of one order, windowed, ready for the passes.
+/// All light of a scene, ready for the passes: an environment's radiance as three SH vectors of one order,
+/// windowed, and analytic lights.
+///
+/// Nothing in it is tabulated: an environment that changes every frame costs no more than one that stands still.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
     /// SH order, 2 to 6.
     pub order: usize,
     /// `order²` coefficients, each red, green and blue.
     pub coefficients: Vec<[f32; 3]>,
+    /// Discs in the sky and glowing balls.
+    pub emitters: Vec<Emitter>,
 }
 
 /// Why there is no light of the kind asked for.
@@ -22,6 +27,18 @@ pub enum LightError {
     /// A window without width.
     #[error("the window's width is {0}, but it has to be above 0 (twice the order is usual)")]
     Window(f32),
+    /// A light whose radiance is none.
+    #[error("a light's radiance is {0:?}, but it has to be finite and not negative")]
+    Radiance([f32; 3]),
+    /// A distant light that is no disc.
+    #[error("a light's angular radius is {} degrees, but it has to be above 0 and at most 90", .0.to_degrees())]
+    Angle(f32),
+    /// A distant light that is nowhere.
+    #[error("a light's direction has no length, or one that is not finite")]
+    Direction,
+    /// A local light that is no ball.
+    #[error("a light's centre and radius have to be finite, and its radius above 0")]
+    Ball,
 }
 
 impl Light {
@@ -60,7 +77,39 @@ impl Light {
         Ok(Self {
             order,
             coefficients,
+            emitters: Vec::new(),
         })
+    }
+
+    /// As [`Light::project`] with the widest window that keeps ringing small; see [`ringing`].
+    ///
+    /// # Errors
+    /// For an order other than 2 to 6.
+    pub fn project_smoothly(
+        map: &EnvironmentMap,
+        ground: Option<Ground>,
+        order: usize,
+    ) -> Result<Self, LightError> {
+        let mut light = Self::project(map, ground, order, f32::INFINITY)?;
+        let luminance = light.coefficients.iter().map(|[r, g, b]| {
+            0.2126 * f64::from(*r) + 0.7152 * f64::from(*g) + 0.0722 * f64::from(*b)
+        });
+        let width = ringing::width(&luminance.collect::<Vec<_>>());
+        for (i, coefficient) in light.coefficients.iter_mut().enumerate() {
+            *coefficient = coefficient.map(|c| c * ringing::gain(i.isqrt(), width));
+        }
+        Ok(light)
+    }
+
+    /// The same light and these lights besides.
+    ///
+    /// # Errors
+    /// Where one of them is none; see [`AreaLight::emitter`].
+    pub fn with_lights(mut self, lights: &[AreaLight]) -> Result<Self, LightError> {
+        for light in lights {
+            self.emitters.push(light.emitter(self.order)?);
+        }
+        Ok(self)
     }
 
     /// Radiance that a surface of albedo 1 with this unit normal reflects, in the open: (L, H(N)), which is

@@ -13,10 +13,12 @@ use std::fmt;
 pub enum PassKind {
     /// Position, normal and albedo per sample.
     Gbuffer,
-    /// Environment light without blockers.
+    /// Light without blockers.
     Irradiance,
-    /// Environment light through the visibility of all blocker spheres.
+    /// Light through the visibility of all blocker spheres.
     Shadow,
+    /// Radiance at half resolution to samples, by a joint bilateral filter; what that cannot give is shaded anew.
+    Upsample,
     /// Samples to pixels: radiance times albedo, the environment where nothing is hit.
     Resolve,
 }
@@ -28,31 +30,8 @@ impl PassKind {
             Self::Gbuffer => "gbuffer",
             Self::Irradiance => "irradiance",
             Self::Shadow => "shadow",
+            Self::Upsample => "upsample",
             Self::Resolve => "resolve",
-        }
-    }
-
-    /// What the pass reads.
-    pub fn reads(self) -> &'static [Resource] {
-        match self {
-            Self::Gbuffer => &[Resource::Surfaces],
-            Self::Irradiance => &[Resource::Receivers, Resource::Light],
-            Self::Shadow => &[Resource::Receivers, Resource::Blockers, Resource::Light],
-            Self::Resolve => &[
-                Resource::Receivers,
-                Resource::Albedo,
-                Resource::Radiance,
-                Resource::Environment,
-            ],
-        }
-    }
-
-    /// What the pass writes.
-    pub fn writes(self) -> &'static [Resource] {
-        match self {
-            Self::Gbuffer => &[Resource::Receivers, Resource::Albedo],
-            Self::Irradiance | Self::Shadow => &[Resource::Radiance],
-            Self::Resolve => &[Resource::Picture],
         }
     }
 }
@@ -68,9 +47,13 @@ pub enum Resource {
     Albedo,
     /// Radiance that albedo 1 would reflect at each receiver.
     Radiance,
-    /// The spheres that block light, in world space: [`crate::Sphere`] records.
+    /// As `Receivers`, at half the picture's resolution.
+    HalfReceivers,
+    /// As `Radiance`, at half the picture's resolution.
+    HalfRadiance,
+    /// The spheres that block light, in world space: [`crate::Forest`].
     Blockers,
-    /// The environment as SH vectors: [`crate::Light`].
+    /// The environment as SH vectors, and analytic lights: [`crate::Light`].
     Light,
     /// The environment as a map: [`crate::EnvironmentMap`].
     Environment,
@@ -84,6 +67,7 @@ impl Resource {
         match self {
             Self::Surfaces | Self::Blockers | Self::Light | Self::Environment => Resolution::Fixed,
             Self::Receivers | Self::Albedo | Self::Radiance => Resolution::Samples,
+            Self::HalfReceivers | Self::HalfRadiance => Resolution::Halves,
             Self::Picture => Resolution::Pixels,
         }
     }
@@ -92,8 +76,10 @@ impl Resource {
 /// What the size of a resource follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Resolution {
-    /// One element a sample of the [`crate::View`].
+    /// One element a sample of the [`crate::View`]: [`crate::View::samples`].
     Samples,
+    /// One element every two by two pixels: [`crate::View::halves`].
+    Halves,
     /// One element a pixel of the picture.
     Pixels,
     /// The scene, not the picture. It is there before the first pass.
@@ -105,8 +91,39 @@ pub enum Resolution {
 pub struct Pass {
     /// Which.
     pub kind: PassKind,
+    /// How many elements it computes.
+    pub at: Resolution,
     /// Why it is in the plan, for a person: a sentence.
     pub reason: String,
+}
+
+impl Pass {
+    /// What the pass reads.
+    pub fn reads(&self) -> &'static [Resource] {
+        use Resource::*;
+        let half = self.at == Resolution::Halves;
+        match self.kind {
+            PassKind::Gbuffer => &[Surfaces],
+            PassKind::Irradiance => &[Receivers, Light],
+            PassKind::Shadow if half => &[HalfReceivers, Blockers, Light],
+            PassKind::Shadow => &[Receivers, Blockers, Light],
+            PassKind::Upsample => &[HalfReceivers, HalfRadiance, Receivers, Blockers, Light],
+            PassKind::Resolve => &[Receivers, Albedo, Radiance, Environment],
+        }
+    }
+
+    /// What the pass writes.
+    pub fn writes(&self) -> &'static [Resource] {
+        use Resource::*;
+        let half = self.at == Resolution::Halves;
+        match self.kind {
+            PassKind::Gbuffer if half => &[HalfReceivers],
+            PassKind::Gbuffer => &[Receivers, Albedo],
+            PassKind::Shadow if half => &[HalfRadiance],
+            PassKind::Irradiance | PassKind::Shadow | PassKind::Upsample => &[Radiance],
+            PassKind::Resolve => &[Picture],
+        }
+    }
 }
 
 /// The passes of a frame, in order.
@@ -131,35 +148,53 @@ impl Plan {
         let blockers: usize = scene.objects.iter().map(|o| o.spheres.len()).sum();
         let (order, accumulation) = (scene.settings.order, scene.settings.accumulation);
         let mut passes = Vec::new();
-        let mut add = |kind, reason: String| passes.push(Pass { kind, reason });
+        let mut add = |kind, at, reason: String| passes.push(Pass { kind, at, reason });
+        let (gbuffer, shadow) = (PassKind::Gbuffer, PassKind::Shadow);
 
+        let shadows = scene.settings.shadows && blockers > 0;
+        let half = shadows && scene.settings.half_resolution;
+        let light = match scene.lights.len() {
+            0 => format!("Environment light of order {order}"),
+            n => format!(
+                "Environment light of order {order} and that of {}",
+                counted(n, "lamp", "lamps")
+            ),
+        };
+        let spheres = counted(blockers, "blocker sphere", "blocker spheres");
+        let accumulated = if accumulation == order {
+            String::new()
+        } else {
+            format!(", whose logarithms are accumulated in order {accumulation}")
+        };
+        if half {
+            let reason = "Soft light changes little from pixel to pixel: a ray for every two by two is enough.";
+            add(gbuffer, Resolution::Halves, reason.to_string());
+            let reason = format!("{light} is cast into shadow by {spheres}{accumulated}.");
+            add(shadow, Resolution::Halves, reason);
+        }
         let bodies = counted(scene.objects.len(), "object", "objects");
         let surfaces = match scene.ground {
             Some(_) => format!("{bodies} and the ground"),
             None => bodies,
         };
         add(
-            PassKind::Gbuffer,
+            gbuffer,
+            Resolution::Samples,
             format!("The camera's rays have to find {surfaces}."),
         );
-        if scene.settings.shadows && blockers > 0 {
-            let spheres = counted(blockers, "blocker sphere", "blocker spheres");
-            let accumulated = if accumulation == order {
-                String::new()
-            } else {
-                format!(", whose logarithms are accumulated in order {accumulation}")
-            };
-            let reason = format!(
-                "Environment light of order {order} is cast into shadow by {spheres}{accumulated}."
-            );
-            add(PassKind::Shadow, reason);
+        if half {
+            let reason = "Samples take the light of their surface from half resolution; edges and small folds are shaded by themselves.";
+            add(PassKind::Upsample, Resolution::Samples, reason.to_string());
+        } else if shadows {
+            let reason = format!("{light} is cast into shadow by {spheres}{accumulated}.");
+            add(shadow, Resolution::Samples, reason);
         } else {
-            let reason =
-                format!("Environment light of order {order} reaches every receiver unblocked.");
-            add(PassKind::Irradiance, reason);
+            let reason = format!("{light} reaches every receiver unblocked.");
+            add(PassKind::Irradiance, Resolution::Samples, reason);
         }
         add(
             PassKind::Resolve,
+            Resolution::Pixels,
             "Lit samples become pixels, with the environment behind them.".to_string(),
         );
         Self { passes }
@@ -213,6 +248,7 @@ mod tests {
         Scene {
             objects: vec![object],
             environment: EnvironmentMap::constant([1.0; 3]),
+            lights: Vec::new(),
             ground: Some(Ground {
                 height: 0.0,
                 albedo: [0.5; 3],
@@ -223,10 +259,8 @@ mod tests {
                 fov: 1.0,
             },
             settings: Settings {
-                order: 4,
-                accumulation: 4,
                 shadows,
-                window: 8.0,
+                ..Settings::default()
             },
         }
     }
@@ -248,14 +282,18 @@ mod tests {
         assert_ne!(with, never);
         assert!(with.has(PassKind::Shadow) && !with.has(PassKind::Irradiance));
         assert!(never.has(PassKind::Irradiance) && !never.has(PassKind::Shadow));
+        assert!(with.has(PassKind::Upsample) && !never.has(PassKind::Upsample));
     }
 
     #[test]
     fn every_pass_reads_what_is_there() {
-        for plan in [Plan::new(&scene(8, true)), Plan::new(&scene(0, true))] {
+        let mut full = scene(8, true);
+        full.settings.half_resolution = false;
+        for scene in [scene(8, true), scene(0, true), full] {
+            let plan = Plan::new(&scene);
             let mut there = Vec::new();
             for pass in &plan.passes {
-                for read in pass.kind.reads() {
+                for read in pass.reads() {
                     let made = read.resolution() == Resolution::Fixed || there.contains(read);
                     assert!(
                         made,
@@ -263,7 +301,7 @@ mod tests {
                         pass.kind.name()
                     );
                 }
-                there.extend_from_slice(pass.kind.writes());
+                there.extend_from_slice(pass.writes());
             }
             assert!(there.contains(&Resource::Picture));
         }

@@ -1,6 +1,7 @@
 //! Named choices between a fast picture and an accurate one.
 
-/// How much work the light of a picture gets: the SH orders of [`crate::Settings`] under one name. ACCURACY.md
+/// How much work the light of a picture gets: the SH orders and the resolution of [`crate::Settings`] under one
+/// name. ACCURACY.md
 /// has the error and the cost of each.
 ///
 /// ```
@@ -23,12 +24,12 @@ impl Quality {
     /// All of them, from the fastest on.
     pub const ALL: [Self; 3] = [Self::Fast, Self::Balanced, Self::Accurate];
 
-    /// The table: name, order of the light, order of accumulation.
-    const fn row(self) -> (&'static str, usize, usize) {
+    /// The table: name, order of the light, order of accumulation, half resolution.
+    const fn row(self) -> (&'static str, usize, usize, bool) {
         match self {
-            Self::Fast => ("fast", 3, 3),
-            Self::Balanced => ("balanced", 4, 4),
-            Self::Accurate => ("accurate", 6, 6),
+            Self::Fast => ("fast", 3, 3, true),
+            Self::Balanced => ("balanced", 4, 4, true),
+            Self::Accurate => ("accurate", 6, 6, false),
         }
     }
 
@@ -45,5 +46,10 @@ impl Quality {
     /// The SH order in which blockers' logarithms are accumulated.
     pub const fn accumulation(self) -> usize {
         self.row().2
+    }
+
+    /// Whether shadows are computed at half the picture's resolution.
+    pub const fn half_resolution(self) -> bool {
+        self.row().3
     }
 }

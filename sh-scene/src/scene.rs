@@ -1,6 +1,8 @@
 //! A scene, loaded and resolved: nothing in it refers to a file or needs a default any more.
 
-use crate::{Camera, EnvironmentMap, Light, LightError, Quality, Sphere};
+use crate::{
+    AreaLight, Camera, EnvironmentMap, Forest, Light, LightError, Limits, Quality, Sphere,
+};
 use glam::{Affine3A, Vec3};
 
 /// A triangle mesh in its object's own space.
@@ -89,8 +91,12 @@ pub struct Settings {
     pub accumulation: usize,
     /// Whether blockers cast shadows.
     pub shadows: bool,
-    /// Window width h of the light's SH vector; 2·order where nothing is said.
-    pub window: f32,
+    /// Window width h of the environment's SH vector; none: as wide as ringing allows, see [`crate::ringing`].
+    pub window: Option<f32>,
+    /// Whether shadows are computed at half the picture's resolution, and at the full one only where that does not do.
+    pub half_resolution: bool,
+    /// How coarse the cuts of blockers may be.
+    pub limits: Limits,
 }
 
 /// Everything a picture needs.
@@ -100,6 +106,8 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// The light from all around, already rotated and scaled by its intensity.
     pub environment: EnvironmentMap,
+    /// Analytic lights besides it.
+    pub lights: Vec<AreaLight>,
     /// The plane everything stands on, if any.
     pub ground: Option<Ground>,
     /// Where the picture is taken from.
@@ -109,25 +117,27 @@ pub struct Scene {
 }
 
 impl Default for Settings {
-    /// Balanced quality with shadows, windowed over twice the order as Ren et al. 2006 (section 7) advise.
+    /// Balanced quality with shadows.
     fn default() -> Self {
         let quality = Quality::default();
         Self {
             order: quality.order(),
             accumulation: quality.accumulation(),
             shadows: true,
-            window: 2.0 * quality.order() as f32,
+            window: None,
+            half_resolution: quality.half_resolution(),
+            limits: Limits::default(),
         }
     }
 }
 
 impl Settings {
-    /// These settings with another order. The window keeps its width relative to it; an order of accumulation
+    /// These settings with another order. A window that is set keeps its width relative to it; an order of accumulation
     /// that was the same stays the same, and one above it stays where it is unless the order passes it.
     ///
     /// ```
     /// let settings = sh_scene::Settings::default().with_order(6);
-    /// assert_eq!((settings.order, settings.accumulation, settings.window), (6, 6, 12.0));
+    /// assert_eq!((settings.order, settings.accumulation), (6, 6));
     /// ```
     pub fn with_order(self, order: usize) -> Self {
         let accumulation = if self.accumulation == self.order {
@@ -138,15 +148,17 @@ impl Settings {
         Self {
             order,
             accumulation,
-            window: self.window * order as f32 / self.order as f32,
+            window: self.window.map(|h| h * order as f32 / self.order as f32),
             ..self
         }
     }
 
-    /// These settings with the orders of a quality; the window keeps its width relative to the order.
+    /// These settings with the orders and the resolution of a quality; a window that is set keeps its width relative
+    /// to the order.
     pub fn with_quality(self, quality: Quality) -> Self {
         Self {
             accumulation: quality.accumulation(),
+            half_resolution: quality.half_resolution(),
             ..self.with_order(quality.order())
         }
     }
@@ -154,13 +166,23 @@ impl Settings {
 
 impl Scene {
     /// The light that the passes use: the environment over the ground, of the order and with the window
-    /// that the settings say.
+    /// that the settings say, and all analytic lights.
     ///
     /// # Errors
-    /// Where the settings' order or window is none that there is.
+    /// Where the settings' order or window is none that there is, or a light is none.
     pub fn light(&self) -> Result<Light, LightError> {
         let Settings { order, window, .. } = self.settings;
-        Light::project(&self.environment, self.ground, order, window)
+        let environment = match window {
+            Some(window) => Light::project(&self.environment, self.ground, order, window),
+            None => Light::project_smoothly(&self.environment, self.ground, order),
+        };
+        environment?.with_lights(&self.lights)
+    }
+
+    /// The tree of all blockers, as they stand now.
+    pub fn forest(&self) -> Forest {
+        let counts: Vec<usize> = self.objects.iter().map(|o| o.spheres.len()).collect();
+        Forest::new(&self.world_spheres(), &counts)
     }
 
     /// The lowest and the highest corner of the bounding box of all objects in world space, or none where
@@ -194,8 +216,8 @@ mod tests {
         Settings {
             order,
             accumulation,
-            shadows: true,
-            window: 3.0 * order as f32,
+            window: Some(3.0 * order as f32),
+            ..Settings::default()
         }
     }
 
@@ -205,7 +227,10 @@ mod tests {
             for accumulation in order..=6 {
                 for other in 2..=6 {
                     let changed = settings(order, accumulation).with_order(other);
-                    assert_eq!((changed.order, changed.window), (other, 3.0 * other as f32));
+                    assert_eq!(
+                        (changed.order, changed.window),
+                        (other, Some(3.0 * other as f32))
+                    );
                     let expected = if accumulation == order {
                         other
                     } else {
@@ -228,8 +253,9 @@ mod tests {
             for before in [settings(2, 6), settings(6, 6), Settings::default()] {
                 let after = before.with_quality(quality);
                 assert_eq!((after.order, after.accumulation), (order, accumulation));
-                let relative = before.window / before.order as f32;
-                assert_eq!(after.window, relative * order as f32);
+                let relative = before.window.map(|h| h / before.order as f32);
+                assert_eq!(after.window, relative.map(|h| h * order as f32));
+                assert_eq!(after.half_resolution, quality.half_resolution());
             }
         }
         let default = Settings::default();

@@ -5,9 +5,9 @@
 //! difference in luminance relative to the mean. `default` in place of a scene is the built-in one.
 
 use gaunt::image::{exposure, screen};
-use sh_cpu::{Gbuffer, Geometry};
+use sh_cpu::{CutOptions, Cuts, Gbuffer, Geometry, Path, Shadow};
 use sh_reference::{basis, raycast, sampled};
-use sh_scene::{Light, Receiver, View};
+use sh_scene::{Receiver, Tiles, View};
 
 type Row = Vec<[f32; 3]>;
 
@@ -48,11 +48,11 @@ fn main() {
         sampled::directions(number(3, 1024)).collect::<Vec<_>>(),
     );
     let scene = match scene.as_str() {
-        "default" => sh_bake::default_scene(&|_| {}).0,
+        "default" => sh_bake::default_scene(None, &|_| {}).0,
         path => {
             sh_bake::load_scene(path.as_ref())
                 .unwrap_or_else(|e| panic!("{e}"))
-                .0
+                .scene
         }
     };
     let height = width * 9 / 16;
@@ -62,13 +62,7 @@ fn main() {
         height: height as u32,
     };
     let settings = &scene.settings;
-    let light = Light::project(
-        &scene.environment,
-        scene.ground,
-        settings.order,
-        settings.window,
-    )
-    .expect("a light");
+    let light = scene.light().expect("a light");
     let channels: [Vec<f64>; 3] =
         std::array::from_fn(|c| light.coefficients.iter().map(|x| f64::from(x[c])).collect());
     let caster = raycast::Caster::new(
@@ -79,26 +73,45 @@ fn main() {
             .collect(),
     );
     let geometry = Geometry::new(&scene).expect("a scene that can be cast");
-    let spheres = scene.world_spheres();
+    let forest = scene.forest();
     let exposure = exposure(&light);
 
     let mut picture = image::RgbImage::new(2 * width as u32, 2 * height as u32);
     let (mut square, mut bias, mut mean, mut count) = (0.0, 0.0, 0.0, 0.0);
-    let mut samples = Gbuffer::default();
-    for y in 0..height {
-        sh_cpu::gbuffer(
-            &geometry,
-            &view,
-            2 * y as u32..2 * y as u32 + 1,
-            &mut samples,
-        )
-        .expect("a row");
-        let receivers: Vec<Receiver> = samples.receivers.iter().step_by(2).copied().collect();
+    let (mut samples, mut cuts) = (Gbuffer::default(), Cuts::default());
+    let grid = view.samples();
+    let options = CutOptions {
+        limits: settings.limits,
+        ratios: true,
+        accumulation: settings.accumulation,
+    };
+    for row in 0..grid.tiles().rows {
+        sh_cpu::gbuffer(&geometry, &view, grid, row..row + 1, &mut samples).expect("a row");
+        let tiles = Tiles {
+            rows: 1,
+            ..grid.tiles()
+        };
+        let (receivers, clusters) = (&samples.receivers, tiles.clusters());
+        cuts.bound(receivers, &clusters, 0..clusters.len());
+        cuts.find(Path::best(), &forest, options);
+        let shadow = Shadow {
+            clusters: &clusters,
+            cuts: &cuts,
+            light: &light,
+            accumulation: settings.accumulation,
+            baked: None,
+        };
         let mut ours: Row = vec![[0.0; 3]; receivers.len()];
-        let accumulation = settings.accumulation;
-        sh_cpu::shadow(&receivers, &spheres, &light, accumulation, &mut ours).expect("a shadow");
-        for (x, receiver) in receivers.iter().enumerate() {
-            let albedo = samples.albedo[2 * x];
+        sh_cpu::shadow_clusters(Path::best(), receivers, &shadow, &mut ours).expect("a shadow");
+        // One sample of each pixel.
+        let pixels = (0..Tiles::SIDE / 2).flat_map(|y| (0..width).map(move |x| (x, y)));
+        for (x, line) in pixels {
+            let y = (row * Tiles::SIDE / 2 + line) as usize;
+            if y >= height {
+                continue;
+            }
+            let at = tiles.index(2 * x as u32, 2 * line);
+            let (receiver, albedo, ours) = (&receivers[at], samples.albedo[at], ours[at]);
             let truth = if receiver.covered == 0 {
                 [0.0; 3]
             } else {
@@ -109,15 +122,15 @@ fn main() {
                 picture.put_pixel(column, row, image::Rgb(screen(color, column, row)));
             };
             let shown = |c: [f32; 3]| std::array::from_fn(|i| c[i] * albedo[i] * exposure);
-            put(x, y, shown(ours[x]));
+            put(x, y, shown(ours));
             put(x + width, y, shown(truth));
             put(
                 x,
                 y + height,
-                std::array::from_fn(|i| 0.5 + 0.5 * (ours[x][i] - truth[i]) * exposure),
+                std::array::from_fn(|i| 0.5 + 0.5 * (ours[i] - truth[i]) * exposure),
             );
             let luminance = |c: [f32; 3]| f64::from(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]);
-            let difference = luminance(ours[x]) - luminance(truth);
+            let difference = luminance(ours) - luminance(truth);
             if receiver.covered != 0 {
                 square += difference * difference;
                 bias += difference;

@@ -120,6 +120,25 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
         "cap_log_saturating" => cap_log("saturating", order, a[0][0], a[1][0]),
         "add_cap_log" => add_cap_log("eigen", order, a),
         "add_cap_log_saturating" => add_cap_log("saturating", order, a),
+        "accumulate_blocker" => {
+            let mut zonal = cap_log("saturating", order, a[1][0], a[2][0]);
+            for (z, w) in zonal.iter_mut().zip(&a[4]) {
+                *z *= w;
+            }
+            let turned = reference::zonal::rotated(&zonal, three(&a[3]));
+            let added = turned.iter().zip(fits::accumulation_factors(order));
+            a[0].iter()
+                .zip(added)
+                .map(|(f, (t, factor))| f + t / factor)
+                .collect()
+        }
+        "accumulated_log" => {
+            let factors = fits::accumulation_factors(order);
+            a[0].iter()
+                .zip(factors)
+                .map(|(f, factor)| f * factor)
+                .collect()
+        }
         "exp_saturating" => saturating(order, &a[0]),
         "exp_sampled" => pointwise(order, Fineness::Medium, &a[0], clamped),
         "exp_sampled_coarse" => pointwise(order, Fineness::Coarse, &a[0], clamped),

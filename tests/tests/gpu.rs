@@ -29,7 +29,7 @@ fn shader(routine: &Routine, order: usize) -> String {
     for (i, (_, shape)) in routine.arguments.iter().enumerate() {
         let count = shape.len(order);
         let at = |k: usize| format!("arguments[first + {}u]", offset + k);
-        let name = format!("argument_{}_", ["a", "b", "c", "d"][i]);
+        let name = format!("argument_{}_", ["a", "b", "c", "d", "e"][i]);
         let value = match shape {
             Shape::Scalar => at(0),
             Shape::Direction => format!("vec3f({}, {}, {})", at(0), at(1), at(2)),

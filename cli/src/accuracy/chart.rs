@@ -2,6 +2,7 @@
 
 mod axis;
 mod canvas;
+mod compare;
 mod labels;
 mod mark;
 mod panel;
@@ -10,6 +11,7 @@ use super::pareto::{self, Method};
 use super::{PictureRow, Row};
 use crate::Error;
 use canvas::{Align, Canvas};
+pub use compare::{Series, series_of_points};
 use labels::Rect;
 use mark::{INK, SOFT, mark};
 use panel::{Dot, Panel, rows_of_panels};

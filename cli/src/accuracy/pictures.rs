@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use sh_bake::SphereSet;
 use sh_cpu::{Gbuffer, Geometry};
 use sh_reference::{basis, raycast, sampled};
-use sh_scene::{Light, Receiver, Scene, Settings, View};
+use sh_scene::{Light, Receiver, Scene, View};
 use std::time::Instant;
 
 /// Pixels across and down; there are four receivers a pixel.
@@ -47,7 +47,7 @@ fn luminance(c: [f32; 3]) -> f64 {
 
 /// All rows.
 pub fn rows(progress: &(dyn Fn(f32) + Sync)) -> Result<Vec<PictureRow>, Error> {
-    let (mut scene, _) = sh_bake::default_scene(&|_| {});
+    let (mut scene, _) = sh_bake::default_scene(None, &|_| {});
     let receivers = receivers(&scene)?;
     let truth = truth(&scene, &receivers)?;
     progress(0.3);
@@ -73,7 +73,8 @@ fn receivers(scene: &Scene) -> Result<Vec<Receiver>, Error> {
     };
     let geometry = Geometry::new(scene)?;
     let mut samples = Gbuffer::default();
-    sh_cpu::gbuffer(&geometry, &view, 0..2 * SIZE[1], &mut samples)?;
+    let grid = view.samples();
+    sh_cpu::gbuffer(&geometry, &view, grid, 0..grid.tiles().rows, &mut samples)?;
     samples.receivers.retain(|receiver| receiver.covered != 0);
     Ok(samples.receivers)
 }
@@ -104,13 +105,8 @@ fn truth(scene: &Scene, receivers: &[Receiver]) -> Result<Vec<f64>, Error> {
 }
 
 fn light(scene: &Scene, order: usize) -> Result<Light, Error> {
-    let settings = Settings::default().with_order(order);
-    Ok(Light::project(
-        &scene.environment,
-        scene.ground,
-        order,
-        settings.window,
-    )?)
+    let (map, ground) = (&scene.environment, scene.ground);
+    Ok(Light::project_smoothly(map, ground, order)?)
 }
 
 fn row(

@@ -1,40 +1,84 @@
 //! A picture on the GPU: the passes record, this submits and reads back.
 
-use super::Frame;
+use super::Shot;
 use crate::Error;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Stamps};
 use crate::report::Times;
 use sh_gpu::Renderer;
+use sh_scene::{Forest, Light, Scene};
 use std::time::Instant;
-use wgpu::{BufferUsages, QuerySet};
+use wgpu::Buffer;
+
+/// What is made for the first picture and used for all.
+pub struct Painter {
+    renderer: Renderer,
+    /// The tree of the first picture's blockers, with new bounds for each.
+    blockers: Forest,
+    stamps: Option<Stamps>,
+    staging: Buffer,
+}
+
+impl Painter {
+    fn new(gpu: &Gpu, scene: &Scene, shot: &Shot) -> Result<Self, Error> {
+        let renderer = Renderer::new(&gpu.device, &gpu.queue, scene, shot.plan, shot.view)?;
+        Ok(Self {
+            stamps: Stamps::new(gpu, renderer.timestamps()),
+            staging: gpu.staging(renderer.picture().size()),
+            blockers: scene.forest(),
+            renderer,
+        })
+    }
+}
 
 /// Runs the plan. The picture is linear radiance, row by row from the top.
-pub fn picture(gpu: &Gpu, frame: &Frame, times: &mut Times) -> Result<Vec<[f32; 3]>, Error> {
-    let Frame {
-        scene,
-        plan,
-        view,
-        light,
-    } = frame;
-    let renderer = times.measure("upload", || -> Result<Renderer, Error> {
-        let renderer = Renderer::new(&gpu.device, &gpu.queue, scene, plan, view)?;
-        renderer.prepare(&gpu.queue, scene, light, view)?;
+pub fn picture(
+    gpu: &Gpu,
+    painter: &mut Option<Painter>,
+    (scene, light): (&Scene, &Light),
+    shot: &Shot,
+    times: &mut Times,
+) -> Result<Vec<[f32; 3]>, Error> {
+    let painter = times.measure("upload", || -> Result<&mut Painter, Error> {
+        let painter = match painter {
+            Some(painter) => {
+                if shot.motion.bends() {
+                    painter.renderer.update_meshes(&gpu.queue, scene)?;
+                }
+                if shot.motion.turns() {
+                    let environment = &scene.environment;
+                    painter
+                        .renderer
+                        .update_environment(&gpu.queue, environment)?;
+                }
+                painter
+            }
+            none => none.insert(Painter::new(gpu, scene, shot)?),
+        };
+        let Painter {
+            renderer, blockers, ..
+        } = &mut *painter;
+        blockers.update(&scene.world_spheres());
+        renderer.prepare(&gpu.queue, scene, blockers, light, shot.view)?;
         gpu.submit(|_| {})?;
-        Ok(renderer)
+        Ok(painter)
     })?;
-    let stamps = Stamps::new(gpu, renderer.timestamps());
+    let Painter {
+        renderer,
+        stamps,
+        staging,
+        ..
+    } = painter;
     let picture = renderer.picture();
-    let staging = gpu.staging(picture.size());
     let start = Instant::now();
     gpu.submit(|encoder| {
-        renderer.record(encoder, stamps.as_ref().map(|stamps| &stamps.queries));
-        if let Some(stamps) = &stamps {
+        renderer.record(encoder, stamps.as_ref().map(Stamps::queries));
+        if let Some(stamps) = stamps {
             stamps.resolve(encoder);
         }
     })?;
     let mut rest = start.elapsed().as_secs_f64();
     if let Some(stamps) = stamps {
-        let stamps = gpu.read(&stamps.staging, numbers)?;
+        let stamps = stamps.read(gpu)?;
         for (pass, nanoseconds) in renderer.times(&stamps, gpu.queue.get_timestamp_period()) {
             times.add(pass.name(), nanoseconds * 1e-9);
             rest -= nanoseconds * 1e-9;
@@ -44,61 +88,11 @@ pub fn picture(gpu: &Gpu, frame: &Frame, times: &mut Times) -> Result<Vec<[f32; 
     times.add("frame", rest.max(0.0));
     times.measure("read back", || {
         gpu.submit(|encoder| {
-            encoder.copy_buffer_to_buffer(picture, 0, &staging, 0, picture.size());
+            encoder.copy_buffer_to_buffer(picture, 0, staging, 0, picture.size());
         })?;
-        gpu.read(&staging, |bytes| {
+        gpu.read(staging, |bytes| {
             let pixels: &[[f32; 4]] = bytemuck::cast_slice(bytes);
             pixels.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect()
         })
     })
-}
-
-/// Timestamps of a frame on their way to the processor.
-struct Stamps {
-    queries: QuerySet,
-    resolved: wgpu::Buffer,
-    staging: wgpu::Buffer,
-}
-
-impl Stamps {
-    /// None where the device has no clock worth the name (a software driver's stands still while a dispatch
-    /// runs), or the frame has more passes than a query set holds.
-    fn new(gpu: &Gpu, count: u32) -> Option<Self> {
-        if !gpu.timestamps || gpu.software || count > wgpu::QUERY_SET_MAX_QUERIES {
-            return None;
-        }
-        let queries = gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
-            label: Some("gaunt timestamps"),
-            ty: wgpu::QueryType::Timestamp,
-            count,
-        });
-        let size = u64::from(count) * u64::from(wgpu::QUERY_SIZE);
-        let resolved = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("gaunt timestamps"),
-            size,
-            usage: BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC,
-            mapped_at_creation: false,
-        });
-        Some(Self {
-            queries,
-            resolved,
-            staging: gpu.staging(size),
-        })
-    }
-
-    fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
-        let size = self.resolved.size();
-        let count = (size / u64::from(wgpu::QUERY_SIZE)) as u32;
-        encoder.resolve_query_set(&self.queries, 0..count, &self.resolved, 0);
-        encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.staging, 0, size);
-    }
-}
-
-fn numbers(bytes: &[u8]) -> Vec<u64> {
-    bytes
-        .as_chunks()
-        .0
-        .iter()
-        .map(|b| u64::from_ne_bytes(*b))
-        .collect()
 }

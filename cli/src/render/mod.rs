@@ -1,17 +1,21 @@
-//! `gaunt render`: from a scene file to a picture file.
+//! `gaunt render`: from a scene file to a picture file, or to one for each frame of its motion.
 
+mod frames;
 mod gpu;
 mod settings;
 
+pub use frames::{Frames, Pattern, frame_numbers, frame_rate};
 pub use settings::Overrides;
 
 use crate::Error;
 use crate::gpu::Gpu;
-use crate::image::{Output, Picture, PictureFile, exposure};
+use crate::image::{Output, Picture, exposure};
 use crate::progress::Progress;
-use crate::report::{Body, Report, Times, planned};
-use sh_bake::Report as Loaded;
-use sh_scene::{Light, Plan, Scene, View};
+use crate::report::{Body, Report, Sequence, Times, planned};
+use frames::Files;
+use sh_bake::{Cache, ClipChoice, Loaded};
+use sh_scene::motion::Motion;
+use sh_scene::{Plan, View};
 use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -33,8 +37,13 @@ pub enum Backend {
 pub struct Options {
     /// A scene file; none for the built-in scene.
     pub scene: Option<PathBuf>,
-    /// Where the picture goes, PNG or EXR by its ending.
+    /// Where the picture goes, PNG or EXR by its ending; for frames, a pattern with `%d` or `%04d`.
     pub out: PathBuf,
+    /// The frames to render; none for one picture at time 0.
+    pub frames: Option<Frames>,
+    /// The clip that a mesh file plays, by name or number. Without one it plays its first where there are
+    /// frames, and none otherwise.
+    pub clip: Option<String>,
     /// What renders.
     pub backend: Backend,
     /// Width and height, in pixels.
@@ -45,6 +54,8 @@ pub struct Options {
     pub stops: f32,
     /// Where a report in JSON goes.
     pub report: Option<PathBuf>,
+    /// Where sphere sets are kept, and taken from if they are there; none to fit them anew.
+    pub cache: Option<Cache>,
 }
 
 impl Default for Options {
@@ -53,84 +64,111 @@ impl Default for Options {
         Self {
             scene: None,
             out: "gaunt.png".into(),
+            frames: None,
+            clip: None,
             backend: Backend::Auto,
             size: [1280, 720],
             settings: Overrides::default(),
             stops: 0.0,
             report: None,
+            cache: None,
         }
     }
 }
 
-/// Everything that the GPU needs for a picture.
-struct Frame<'a> {
-    scene: &'a Scene,
+/// Everything that is the same for all frames but the scene's state.
+struct Shot<'a> {
     plan: &'a Plan,
     view: &'a View,
-    light: &'a Light,
+    /// What of the scene changes from frame to frame.
+    motion: &'a Motion,
 }
 
 /// A backend that was chosen: what it is and why.
-struct Choice {
-    gpu: Option<Gpu>,
-    reason: String,
+pub(crate) struct Choice {
+    pub(crate) gpu: Option<Gpu>,
+    pub(crate) reason: String,
 }
 
-/// Renders a scene to a file and tells how that went. Where it fails, no file is left behind.
+/// Renders a scene to a file, or to one for each frame, and tells how that went. Where it fails, no file is left
+/// half written, and of the frames those that were done.
 pub fn render(options: &Options) -> Result<Report, Error> {
     let start = Instant::now();
     let mut times = Times::default();
     let progress = Progress::new("loading the scene");
-    // First whatever can fail at once: nobody should wait for a picture that has no place to go.
-    let file = PictureFile::create(&options.out)?;
+    // First whatever can fail at once.
+    let mut files = Files::open(&options.out, options.frames.as_ref())?;
     let report = options.report.as_deref().map(Output::create).transpose()?;
 
-    let (scene, loaded) = load(options, &progress)?;
+    let Loaded {
+        mut scene,
+        mut motion,
+        report: loaded,
+    } = load(options, &progress)?;
     times.add("read", loaded.read_time.as_secs_f64());
     times.add("fit spheres", loaded.fit_time.as_secs_f64());
     let choice = times.measure("device", || choose(options.backend))?;
     let settings = scene.settings;
-    let light = times.measure("light", || scene.light())?;
+    let mut light = times.measure("light", || scene.light())?;
+    // One for all frames, so that none flickers.
+    let exposure = exposure(&light) * options.stops.exp2();
     let plan = Plan::new(&scene);
     let [width, height] = options.size;
-
-    progress.say("rendering");
-    let pixels = match &choice.gpu {
-        Some(gpu) => {
-            let view = View {
-                camera: scene.camera,
-                width,
-                height,
-            };
-            let frame = Frame {
-                scene: &scene,
-                plan: &plan,
-                view: &view,
-                light: &light,
-            };
-            gpu::picture(gpu, &frame, &mut times)?
-        }
-        None => {
-            let frame = sh_cpu::render(&scene, &plan, (width, height), &|part| progress.set(part))?;
-            for (stage, time) in frame.stages {
-                times.add(stage, time.as_secs_f64());
-            }
-            frame.pixels
-        }
-    };
-    let exposure = exposure(&light) * options.stops.exp2();
-    let picture = Picture {
+    let view = View {
+        camera: scene.camera,
         width,
         height,
-        pixels,
     };
-    times.measure("write", || file.finish(picture, exposure))?;
+
+    progress.say("rendering");
+    let mut painter = None;
+    let numbers = options.frames.as_ref().map_or(0..1, |f| f.numbers.clone());
+    for (done, number) in numbers.clone().enumerate() {
+        let done = |part: f32| progress.set((done as f32 + part) / numbers.len() as f32);
+        let file = files.next(number)?;
+        if let Some(frames) = options.frames.as_ref().filter(|_| !motion.is_still()) {
+            let seconds = f64::from(number) / frames.rate;
+            times.measure("pose", || motion.pose(seconds, &mut scene));
+        }
+        let pixels = match &choice.gpu {
+            Some(gpu) => {
+                if motion.turns() {
+                    light = times.measure("light", || scene.light())?;
+                }
+                let shot = Shot {
+                    plan: &plan,
+                    view: &view,
+                    motion: &motion,
+                };
+                gpu::picture(gpu, &mut painter, (&scene, &light), &shot, &mut times)?
+            }
+            None => {
+                let frame = sh_cpu::render(&scene, &plan, (width, height), &done)?;
+                for (stage, time) in frame.stages {
+                    times.add(stage, time.as_secs_f64());
+                }
+                frame.pixels
+            }
+        };
+        let picture = Picture {
+            width,
+            height,
+            pixels,
+        };
+        times.measure("write", || file.finish(picture, exposure))?;
+        done(1.0);
+    }
     progress.finish();
 
     let summary = Report {
         picture: options.out.clone(),
         width,
         height,
+        frames: options.frames.as_ref().map(|frames| Sequence {
+            first: frames.numbers.start,
+            count: frames.numbers.len(),
+            fps: frames.rate,
+        }),
         backend: if choice.gpu.is_some() { "gpu" } else { "cpu" },
         device: match &choice.gpu {
             Some(gpu) => gpu.name.clone(),
@@ -141,6 +179,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
         accumulation: settings.accumulation,
         exposure,
         objects: loaded.fits.iter().map(Body::new).collect(),
+        moves: loaded.moves,
         warnings: loaded.warnings,
         plan: planned(&plan),
         stages: times.0,
@@ -157,18 +196,34 @@ pub fn render(options: &Options) -> Result<Report, Error> {
 }
 
 /// The scene with what the command line says instead.
-fn load(options: &Options, progress: &Progress) -> Result<(Scene, Loaded), Error> {
+fn load(options: &Options, progress: &Progress) -> Result<Loaded, Error> {
     options.settings.check()?;
     let tell = |step: sh_bake::Progress| progress.set(step.done as f32 / step.total.max(1) as f32);
-    let (mut scene, loaded) = match &options.scene {
-        Some(path) => sh_bake::load_scene_with(path, &tell)?,
-        None => sh_bake::default_scene(&tell),
+    let clip = match (&options.clip, &options.frames) {
+        (Some(name), _) => ClipChoice::Named(name),
+        (None, Some(_)) => ClipChoice::First,
+        (None, None) => ClipChoice::None,
     };
-    scene.settings = options.settings.apply(scene.settings)?;
-    Ok((scene, loaded))
+    let mut loaded = match &options.scene {
+        Some(path) => sh_bake::load_scene_with(path, clip, options.cache.as_ref(), &tell)?,
+        None if options.clip.is_some() => {
+            let sentence = "--clip chooses a clip of a mesh file, and the built-in scene has none";
+            return Err(Error::Usage(sentence.into()));
+        }
+        None => {
+            let (scene, report) = sh_bake::default_scene(options.cache.as_ref(), &tell);
+            Loaded {
+                scene,
+                motion: Motion::default(),
+                report,
+            }
+        }
+    };
+    loaded.scene.settings = options.settings.apply(loaded.scene.settings)?;
+    Ok(loaded)
 }
 
-fn choose(backend: Backend) -> Result<Choice, Error> {
+pub(crate) fn choose(backend: Backend) -> Result<Choice, Error> {
     let cpu = |reason| Ok(Choice { gpu: None, reason });
     match backend {
         Backend::Cpu => cpu("The CPU was asked for.".into()),

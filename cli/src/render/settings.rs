@@ -14,6 +14,8 @@ pub struct Overrides {
     pub accumulation: Option<usize>,
     /// Whether shadows are cast.
     pub shadows: Option<bool>,
+    /// Whether shadows are computed at half resolution.
+    pub half_resolution: Option<bool>,
 }
 
 impl Overrides {
@@ -57,6 +59,8 @@ impl Overrides {
             settings.accumulation = accumulation;
         }
         settings.shadows = self.shadows.unwrap_or(settings.shadows);
+        let half = self.half_resolution;
+        settings.half_resolution = half.unwrap_or(settings.half_resolution);
         Ok(settings)
     }
 }
@@ -81,7 +85,7 @@ mod tests {
             ..Settings::default().with_order(order)
         };
         let settings = overrides.apply(scene).map_err(|error| error.to_string())?;
-        assert_eq!(settings.window, 2.0 * settings.order as f32);
+        assert_eq!(settings.window, None);
         Ok((settings.order, settings.accumulation))
     }
 

@@ -2,6 +2,7 @@
 
 mod corpus;
 mod eval;
+mod frames;
 mod misuse;
 mod render;
 mod tables;
@@ -9,11 +10,13 @@ mod tables;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
 
 /// Runs the program with arguments and text on standard input.
 pub fn run(arguments: &[&str], input: &[u8]) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_gaunt"))
         .args(arguments)
+        .env("GAUNT_CACHE", cache())
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -26,6 +29,16 @@ pub fn run(arguments: &[&str], input: &[u8]) -> Output {
     let output = child.wait_with_output().expect("the program ends");
     writer.join().expect("the input was written");
     output
+}
+
+/// A folder for sphere sets, empty at first: all runs of these tests share it, and never the user's own.
+fn cache() -> &'static str {
+    static CACHE: OnceLock<&str> = OnceLock::new();
+    CACHE.get_or_init(|| {
+        let folder = concat!(env!("CARGO_TARGET_TMPDIR"), "/program-cache");
+        let _ = std::fs::remove_dir_all(folder);
+        folder
+    })
 }
 
 /// Standard output of a run that has to succeed.

@@ -156,6 +156,48 @@ fn options_that_make_no_sense_are_refused() {
         (&["render", "-o", &out, "--exposure", "NaN"], "--exposure"),
         (&["render", "-o", &folder.file("out.jpg")], ".png or .exr"),
         (
+            &["render", "-o", &out, "--frames", "0..3"],
+            "one number in it, %d or %04d",
+        ),
+        (
+            &[
+                "render",
+                "-o",
+                &folder.file("%d-%d.png"),
+                "--frames",
+                "0..3",
+            ],
+            "one number in it",
+        ),
+        (
+            &["render", "-o", &folder.file("%d.jpg"), "--frames", "0..3"],
+            ".png or .exr",
+        ),
+        (
+            &["render", "-o", &folder.file("%d.png"), "--frames", "3..3"],
+            "there is no frame in 3..3",
+        ),
+        (
+            &["render", "-o", &folder.file("%d.png"), "--frames", "all"],
+            "a range like 0..60",
+        ),
+        (
+            &[
+                "render",
+                "-o",
+                &folder.file("%d.png"),
+                "--frames",
+                "0..3",
+                "--fps",
+                "0",
+            ],
+            "above 0",
+        ),
+        (
+            &["render", "-o", &out, "--clip", "Walk"],
+            "the built-in scene has none",
+        ),
+        (
             &["render", "-o", &folder.file("no/such/folder/out.png")],
             "out.png",
         ),

@@ -53,7 +53,10 @@ fn the_built_in_scene_becomes_a_picture() {
         .iter()
         .map(|p| p["pass"].clone())
         .collect();
-    assert_eq!(passes, ["gbuffer", "shadow", "resolve"]);
+    assert_eq!(
+        passes,
+        ["gbuffer", "shadow", "gbuffer", "upsample", "resolve"]
+    );
     let stages = report["stages"].as_array().unwrap();
     assert!(
         passes

@@ -172,7 +172,8 @@ pub fn library() -> String {
         \x20   /// The order n.\n    const ORDER: usize;\n\
         \x20   /// n coefficients, one a band.\n    type Zonal: Copy + AsRef<[L]> + AsMut<[L]>;\n\
         \x20   /// The lower triangle of a symmetric n² × n² matrix.\n    type Triangle: Copy + AsRef<[L]> + AsMut<[L]>;\n\
-        \x20   /// `value` in every coefficient.\n    fn filled(value: L) -> Self;\n";
+        \x20   /// `value` in every coefficient.\n    fn filled(value: L) -> Self;\n\
+        \x20   /// A zonal vector; `value` tells its coefficient of each band.\n    fn zonal_from(value: impl Fn(usize) -> L) -> Self::Zonal;\n";
     for (routine, graphs) in ROUTINES.iter().zip(&graphs) {
         text += &format!(
             "{}    {};\n",
@@ -184,8 +185,12 @@ pub fn library() -> String {
     for order in ORDERS {
         let c = order * order;
         text += &format!(
-            "impl<L: Lane> Routines<L> for [L; {c}] {{\n    const ORDER: usize = {order};\n    type Zonal = [L; {order}];\n    type Triangle = [L; {}];\n    #[inline(always)]\n    fn filled(value: L) -> Self {{\n        [value; {c}]\n    }}\n",
-            c * (c + 1) / 2
+            "impl<L: Lane> Routines<L> for [L; {c}] {{\n    const ORDER: usize = {order};\n    type Zonal = [L; {order}];\n    type Triangle = [L; {}];\n    #[inline(always)]\n    fn filled(value: L) -> Self {{\n        [value; {c}]\n    }}\n    #[inline(always)]\n    fn zonal_from(value: impl Fn(usize) -> L) -> Self::Zonal {{\n        [{}]\n    }}\n",
+            c * (c + 1) / 2,
+            (0..order)
+                .map(|l| format!("value({l})"))
+                .collect::<Vec<_>>()
+                .join(", ")
         );
         for routine in ROUTINES {
             let names: Vec<_> = routine

@@ -45,6 +45,24 @@ pub(crate) fn document(root: &Root) -> Result<(), String> {
             }
         }
     }
+    for (i, animation) in root.animations.iter().enumerate() {
+        for (c, channel) in animation.channels.iter().enumerate() {
+            if matches!(channel.target.path, Checked::Invalid) {
+                return Err(format!(
+                    "animations[{i}].channels[{c}].target.path has to be translation, rotation, scale or weights."
+                ));
+            }
+            let named = [
+                ("sampler", channel.sampler.value(), animation.samplers.len()),
+                ("node", channel.target.node.value(), root.nodes.len()),
+            ];
+            if let Some((what, index, count)) = named.iter().find(|(_, i, count)| i >= count) {
+                return Err(format!(
+                    "animations[{i}].channels[{c}] names {what} {index}, but there are {count}."
+                ));
+            }
+        }
+    }
     for (i, image) in root.images.iter().enumerate() {
         let missing = match (&image.uri, &image.buffer_view, &image.mime_type) {
             (Some(_), _, _) | (_, Some(_), Some(_)) => continue,

@@ -1,25 +1,35 @@
 //! glTF 2.0, read by the `gltf` crate.
 
+mod animation;
 mod check;
 mod nodes;
 mod texture;
 
 use crate::error::{Error, one_line, shown};
-use crate::mesh::RawPart;
+use crate::mesh::{Bind, RawFigure, RawPart};
 use gltf::Gltf;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::buffer::{self, Data};
 use gltf::mesh::{Mode, Primitive, Semantic};
-use nodes::{Placed, Placement};
+use nodes::{Placed, Tree};
 use sh_scene::Material;
 use std::path::Path;
 
 /// Required extensions that change nothing of what is read here.
 const HARMLESS: [&str; 2] = ["KHR_lights_punctual", "KHR_materials_unlit"];
 
-/// All triangles of the default scene (the first where none is named), a part for each primitive, and
-/// warnings about what was passed over.
-pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<(Vec<RawPart>, Vec<String>), Error> {
+/// What a file holds.
+pub(crate) struct Loaded {
+    /// All triangles of the default scene (the first where none is named), a part for each primitive.
+    pub(crate) parts: Vec<RawPart>,
+    /// What moves them; none where the file has no animations.
+    pub(crate) figure: Option<RawFigure>,
+    /// What was passed over.
+    pub(crate) warnings: Vec<String>,
+}
+
+/// Reads a file.
+pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<Loaded, Error> {
     let wrong = |message: String| Error::file(path, message);
     let damaged = |e: gltf::Error| wrong(format!("the glTF is damaged: {e}."));
 
@@ -48,8 +58,14 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<(Vec<RawPart>, Vec<Strin
             "the glTF has no scene, and so no triangles.".to_string(),
         ));
     };
+    let tree = Tree::new(&document, &scene, &buffers).map_err(wrong)?;
+    let clips = animation::clips(&document, &tree, &buffers, &mut warnings).map_err(wrong)?;
+    for warning in &mut warnings {
+        *warning = format!("{}: {warning}", shown(path));
+    }
     let mut parts = Vec::new();
-    for Placed { mesh, placement } in nodes::placed(&document, &scene, &buffers).map_err(wrong)? {
+    for placed in &tree.meshes {
+        let mesh = &placed.mesh;
         for primitive in mesh.primitives() {
             let name = match mesh.name() {
                 Some(name) => format!(
@@ -61,7 +77,8 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<(Vec<RawPart>, Vec<Strin
                 None => format!("mesh {}, primitive {}", mesh.index(), primitive.index()),
             };
             let explain = |message: String| wrong(format!("{name}: {message}."));
-            let mut part = surface(&primitive, &buffers, &placement).map_err(explain)?;
+            let mut part =
+                surface(&primitive, &buffers, placed, !clips.is_empty()).map_err(explain)?;
             if part.triangles.is_empty() {
                 let display = shown(path);
                 warnings.push(format!(
@@ -75,7 +92,16 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<(Vec<RawPart>, Vec<Strin
             parts.push(part);
         }
     }
-    Ok((parts, warnings))
+    let figure = (!clips.is_empty()).then_some(RawFigure {
+        joints: tree.joints,
+        bones: tree.bones,
+        clips,
+    });
+    Ok(Loaded {
+        parts,
+        figure,
+        warnings,
+    })
 }
 
 /// The bytes of every buffer.
@@ -126,11 +152,13 @@ fn decodable(uri: &str) -> Result<(), String> {
     }
 }
 
-/// A primitive's triangles where its node puts them. Messages name the attribute and have no full stop.
+/// A primitive's triangles where its node puts them, and what carries them, where it `moves`. Messages name the
+/// attribute and have no full stop.
 fn surface(
     primitive: &Primitive,
     buffers: &[Data],
-    placement: &Placement,
+    placed: &Placed,
+    moves: bool,
 ) -> Result<RawPart, String> {
     let mut part = RawPart {
         name: String::new(),
@@ -142,6 +170,7 @@ fn surface(
             albedo: crate::WHITE,
             texture: None,
         },
+        bind: None,
     };
     if !matches!(
         primitive.mode(),
@@ -219,7 +248,17 @@ fn surface(
         .read_weights(0)
         .map(|w| w.into_f32().collect())
         .unwrap_or_default();
-    placement.apply(&mut part, &joints, &weights)?;
+    let rest = moves.then(|| part.positions.clone());
+    placed.placement.apply(&mut part, &joints, &weights)?;
+    part.bind = rest.map(|positions| Bind {
+        influences: placed.placement.influences(
+            placed.first_bone,
+            positions.len(),
+            &joints,
+            &weights,
+        ),
+        positions,
+    });
     Ok(part)
 }
 

@@ -1,260 +1,207 @@
-//! The search for spheres that bound a surface and have little volume outside it.
+//! The search for spheres that bound a body and have little volume outside it.
 //!
-//! The measure is equation (35) of Ren et al. 2006, E = Σ V(Sᵢ − T). As in their section 6.2 the search
-//! alternates, after Lloyd 1982, between giving each piece of the surface to the sphere that needs least
-//! outside volume to reach it and moving each sphere to where it bounds its pieces with least outside
-//! volume. Two things are different. A sphere is moved by a pattern search that starts from several depths
-//! under its pieces, instead of Powell's method, so that it finds the middle of the body. And since pieces
-//! near a border lie in several spheres, every sphere in turn is relieved of what others hold
-//! ([`Fit::relieve`]): that only ever lowers E and sets spheres free, which then split the worst ones
-//! (teleportation, after Cohen-Steiner et al. 2004).
+//! The measure is equation (35) of Ren et al. 2006, E = Σ V(Sᵢ − T), and the way is that of their section 6.2 (after
+//! Wang et al. 2006). The body is cut into pieces, of the surface and of a grid inside ([`super::pieces`]). Clusters of
+//! pieces, made by flood fill ([`super::flood`]), and spheres about them, placed where they have least volume outside
+//! ([`super::place`]), take turns (Lloyd 1982) as long as E falls. Then spheres are teleported (Cohen-Steiner et al.
+//! 2004) until that does not help either ([`super::moves`]).
+//!
+//! Two things go beyond the paper, and together they lower E by a quarter:
+//! - Pieces near a border lie in several spheres. So every sphere in turn is relieved of what others hold, which
+//!   only ever lowers E, and spheres are nudged at random, their neighbours making up for it. That finds what is
+//!   to gain between neighbours, where neither clustering nor teleportation looks.
+//! - A sphere must hold whole pieces, and so overlaps its neighbours by half a piece. Where spheres meet, pieces are
+//!   therefore cut finer, and the set is fitted anew to them, several times over.
+//!
+//! The search runs from three beginnings: seeds far apart, the body halved again and again, and that once more
+//! without any move that could lose its order, because a grid of spheres is hard to beat where the body is a box.
 
-use super::cover::Cover;
-use super::place::{self, Priced, TIE};
+use super::moves::total;
+use super::pieces::Pieces;
+use super::place::{Placing, Priced};
+use super::proof::Ball;
+use super::random::Random;
 use super::solid::{Disc, Solid};
-use super::surface::{Ball, Surface};
+use super::state::State;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Beginnings of the search.
+const STARTS: usize = 3;
+/// Rounds of clustering at most; fewer where one gains little.
+const CLUSTERINGS: usize = 6;
+/// Rounds of nudges and teleportation at most; fewer where one gains less than [`GAIN`].
+const ROUNDS: usize = 4;
+/// How often pieces are cut finer.
+const REFINEMENTS: usize = 3;
+/// A round that lowers E by less than this share is the last.
+const GAIN: f64 = 0.01;
+/// Sets that are worse than the best by more than this share are not refined.
+const HOPE: f64 = 0.03;
 
 /// What the search works on.
-pub(crate) struct Fit<'a> {
-    pub(super) surface: &'a Surface,
-    pub(super) solid: &'a Solid,
-    pub(super) disc: Disc,
-    /// Of each piece: its middle, and its normal times its area.
-    pub(super) middles: Vec<DVec3>,
-    normals: Vec<DVec3>,
+pub(super) struct Fit<'a> {
+    pub(super) pieces: &'a Pieces,
+    pub(super) placing: Placing<'a>,
+}
+
+/// Tells how much is done.
+struct Steps<'a> {
+    tell: &'a (dyn Fn(f32) + Sync),
+    done: AtomicUsize,
+}
+
+impl Steps<'_> {
+    /// In units of a round: the searches, and the refinements of one set.
+    const ALL: usize = STARTS * (ROUNDS + 1) + 4 * REFINEMENTS;
+
+    fn add(&self, steps: usize) {
+        let done = self.done.fetch_add(steps, Ordering::Relaxed) + steps;
+        (self.tell)((done as f32 / Self::ALL as f32).min(1.0));
+    }
+}
+
+/// At most `count` balls that hold every piece of the body; `progress` is told the part that is
+/// done.
+pub(super) fn fit(
+    pieces: &Pieces,
+    solid: &Solid,
+    count: usize,
+    progress: &(dyn Fn(f32) + Sync),
+) -> Vec<Ball> {
+    let count = count.min(pieces.len());
+    // One ball has no neighbours to gain from.
+    let starts = if count == 1 { 1 } else { STARTS };
+    let steps = Steps {
+        tell: progress,
+        done: AtomicUsize::new(0),
+    };
+    let exact = Disc::new(4096);
+    let rated = |balls: Vec<Ball>| {
+        let outside = |b: &Ball| solid.outside(b.center, b.radius, &exact);
+        (balls.iter().map(outside).sum::<f64>(), balls)
+    };
+    let search = Fit::new(pieces, solid, Disc::new(40));
+    let mut sets: Vec<(f64, Vec<Ball>)> = (0..starts)
+        .into_par_iter()
+        .map(|start| rated(search.from(start, count, &steps)))
+        .collect();
+    let least = sets.iter().map(|(e, _)| *e).fold(f64::INFINITY, f64::min);
+    sets.retain(|(e, _)| *e <= (1.0 + HOPE) * least);
+
+    let shares = 4 / sets.len();
+    let refine = |(e, balls): (f64, Vec<Ball>)| {
+        let mut best = (e, balls.clone());
+        let (mut balls, mut finer) = (balls, pieces.refined(&best.1));
+        for k in 0..REFINEMENTS {
+            balls = Fit::new(&finer, solid, Disc::new(200)).again(&balls);
+            let now = rated(balls.clone());
+            if now.0 < best.0 {
+                best = now;
+            }
+            steps.add(shares);
+            if k + 1 < REFINEMENTS {
+                finer = finer.refined(&balls);
+            }
+        }
+        best
+    };
+    let refined: Vec<(f64, Vec<Ball>)> = sets.into_par_iter().map(refine).collect();
+    let best = refined.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+    progress(1.0);
+    best.map_or_else(Vec::new, |(_, balls)| balls)
 }
 
 impl<'a> Fit<'a> {
-    pub(crate) fn new(surface: &'a Surface, solid: &'a Solid) -> Self {
-        let corners = |i| surface.corners(i);
-        let middles = (0..surface.pieces.len())
-            .map(corners)
-            .map(|[a, b, c]| (a + b + c) / 3.0);
-        let normals = (0..surface.pieces.len())
-            .map(corners)
-            .map(|[a, b, c]| (b - a).cross(c - a) * 0.5);
+    fn new(pieces: &'a Pieces, solid: &'a Solid, coarse: Disc) -> Self {
+        let fine = Disc::new(600);
         Self {
-            surface,
-            solid,
-            disc: Disc::new(80),
-            middles: middles.collect(),
-            normals: normals.collect(),
+            pieces,
+            placing: Placing {
+                solid,
+                coarse,
+                fine,
+            },
         }
     }
 
-    /// At most `count` balls that together hold every piece.
-    pub(crate) fn run(&self, count: usize) -> Vec<Ball> {
-        let count = count.min(self.middles.len());
-        let mut clusters = self.seed(count);
-        let mut best: Vec<Priced> = Vec::new();
-        // Effort shrinks as the set grows: each round costs about pieces × spheres.
-        let rounds = (256 / count).clamp(1, 3);
-        for round in 0..rounds {
-            let mut balls: Vec<Priced> = clusters
-                .par_iter()
-                .map(|pieces| self.place(pieces, None))
-                .collect();
-            for _ in 0..3 {
-                clusters = self.assign(&balls);
-                balls = clusters
-                    .par_iter()
-                    .zip(&balls)
-                    .map(|(pieces, old)| self.place(pieces, Some(old.ball)))
-                    .collect();
-            }
-            self.relieve(&mut balls);
-            self.teleport(&mut balls, count.clamp(8, 128));
-            self.relieve(&mut balls);
-            if round == 0 || total(&balls) < total(&best) {
-                best = balls.clone();
-            }
-            clusters = self.assign(&balls);
-        }
-        self.prune(&mut best);
-        best.iter()
-            .map(|priced| priced.ball)
-            .filter(|ball| ball.radius > 0.0)
-            .collect()
-    }
-
-    /// The first clusters: seeds as far from each other as can be, then a few rounds of plain k-means over
-    /// the middles of the pieces.
-    fn seed(&self, count: usize) -> Vec<Vec<u32>> {
-        let middle = self.middles.iter().sum::<DVec3>() / self.middles.len() as f64;
-        let mut centers = vec![farthest(&self.middles, |m| m.distance_squared(middle))];
-        let mut distance = vec![f64::INFINITY; self.middles.len()];
-        while centers.len() < count {
-            let newest = centers[centers.len() - 1];
-            for (d, m) in distance.iter_mut().zip(&self.middles) {
-                *d = d.min(m.distance_squared(newest));
-            }
-            let next = (0..distance.len()).max_by(|&a, &b| distance[a].total_cmp(&distance[b]));
-            centers.extend(next.map(|i| self.middles[i]));
-        }
-        let mut clusters = Vec::new();
-        for _ in 0..4 {
-            let nearest: Vec<usize> = self
-                .middles
-                .par_iter()
-                .map(|m| least(centers.iter().map(|c| m.distance_squared(*c))))
-                .collect();
-            clusters = grouped(&nearest, count);
-            for (center, pieces) in centers.iter_mut().zip(&clusters) {
-                if !pieces.is_empty() {
-                    let sum: DVec3 = pieces.iter().map(|&i| self.middles[i as usize]).sum();
-                    *center = sum / pieces.len() as f64;
-                }
-            }
-        }
-        clusters
-    }
-
-    /// Gives each piece to the ball that needs least outside volume to hold it.
-    fn assign(&self, balls: &[Priced]) -> Vec<Vec<u32>> {
-        /// Radii at which a ball's outside volume is tabulated: up to twice its own.
-        const STEPS: usize = 16;
-        let tables: Vec<[f64; STEPS + 1]> = balls
-            .par_iter()
-            .map(|b| {
-                std::array::from_fn(|k| {
-                    let radius = b.ball.radius * 2.0 * k as f64 / STEPS as f64;
-                    // The small share of the whole ball breaks ties between balls inside the solid.
-                    self.solid.outside(b.ball.center, radius, &self.disc) + TIE * radius.powi(3)
-                })
-            })
-            .collect();
-        let price = |i: usize, radius: f64| {
-            let at = radius / balls[i].ball.radius * (STEPS as f64 / 2.0);
-            let k = at as usize;
-            if k < STEPS {
-                tables[i][k] + (tables[i][k + 1] - tables[i][k]) * (at - k as f64)
-            } else {
-                // Farther out: as the ball's volume grows.
-                tables[i][STEPS] + 4.19 * (radius.powi(3) - (2.0 * balls[i].ball.radius).powi(3))
-            }
+    /// A search from one of the beginnings.
+    fn from(&self, start: usize, count: usize, steps: &Steps) -> Vec<Ball> {
+        let clusters = if start == 0 {
+            self.scattered(count)
+        } else {
+            self.halved_often(count)
         };
-        let owner: Vec<usize> = (0..self.middles.len())
-            .into_par_iter()
-            .map(|piece| {
-                let corners = self.surface.corners(piece);
-                least(balls.iter().enumerate().map(|(i, b)| match b.ball.radius {
-                    0.0 => f64::INFINITY,
-                    _ => price(i, b.ball.needs(&corners)),
-                }))
-            })
-            .collect();
-        grouped(&owner, balls.len())
-    }
-
-    /// The ball that holds the given pieces with least outside volume that a search finds, from `old` among
-    /// other places; one of radius 0 for no pieces.
-    pub(super) fn place(&self, pieces: &[u32], old: Option<Ball>) -> Priced {
-        let mut ids: Vec<u32> = pieces
-            .iter()
-            .flat_map(|&i| self.surface.pieces[i as usize])
-            .collect();
-        ids.sort_unstable();
-        ids.dedup();
-        let points: Vec<DVec3> = ids
-            .iter()
-            .map(|&i| self.surface.points[i as usize])
-            .collect();
-        let old = old.map(|ball| ball.center);
-        if points.is_empty() {
-            let ball = Ball {
-                center: old.unwrap_or_default(),
-                radius: 0.0,
-            };
-            return Priced { ball, outside: 0.0 };
+        let moving = start < 2 && count > 1;
+        let place = |pieces: &Vec<u32>, old| self.place(pieces, old, true);
+        let mut balls: Vec<Priced> = clusters.iter().map(|pieces| place(pieces, None)).collect();
+        let mut clusters = clusters;
+        let neighbours = self.neighbours();
+        for _ in 0..if moving { CLUSTERINGS } else { 0 } {
+            clusters = self.flood(&clusters, &balls, &neighbours);
+            let next: Vec<Priced> = clusters
+                .iter()
+                .zip(&balls)
+                .map(|(pieces, old)| place(pieces, Some(old.ball)))
+                .collect();
+            let falls = total(&next) < 0.97 * total(&balls);
+            if total(&next) < total(&balls) {
+                balls = next;
+            }
+            if !falls {
+                break;
+            }
         }
-        let normal: DVec3 = pieces.iter().map(|&i| self.normals[i as usize]).sum();
-        place::place(
-            self.solid,
-            &self.disc,
-            &points,
-            normal.normalize_or_zero(),
-            old,
-        )
+        let mut state = State::new(self.pieces, balls);
+        self.relieve_all(&mut state);
+        steps.add(1);
+        if moving {
+            self.improve(&mut state, count, start as u64, steps);
+        } else {
+            steps.add(ROUNDS);
+        }
+        self.prune(&mut state);
+        state.into_balls()
     }
 
-    /// The pieces that a ball holds.
-    pub(super) fn held(&self, ball: &Ball) -> Vec<u32> {
-        let squared = ball.radius * ball.radius;
-        let holds = |&piece: &u32| {
-            self.middles[piece as usize].distance_squared(ball.center) <= squared
-                && ball.holds(&self.surface.corners(piece as usize))
-        };
-        (0..self.middles.len() as u32).filter(holds).collect()
-    }
-
-    /// Relieves each ball in turn, the costliest first, of the pieces that another one holds as well, and
-    /// places it anew around the rest. Repeats until that gains little.
-    fn relieve(&self, balls: &mut [Priced]) {
-        let mut cover = Cover::new(self, balls);
-        for _ in 0..6 {
-            let before = total(balls);
-            let order = costliest(balls);
-            self.relieve_some(balls, &mut cover, &order);
-            if total(balls) > 0.99 * before {
+    /// Nudges and teleports balls until that gains little.
+    fn improve(&self, state: &mut State, count: usize, seed: u64, steps: &Steps) {
+        let mut random = Random(seed);
+        self.teleport(state, (4 * count).min(512));
+        for round in 0..ROUNDS {
+            let before = state.total();
+            self.nudge(state, (16 * count).clamp(600, 1000), &mut random);
+            self.teleport(state, count.min(128));
+            steps.add(1);
+            if state.total() > (1.0 - GAIN) * before || state.total() <= 0.0 {
+                steps.add(ROUNDS - 1 - round);
                 break;
             }
         }
     }
 
-    /// Relieves the balls named in `order`, once.
-    pub(super) fn relieve_some(&self, balls: &mut [Priced], cover: &mut Cover, order: &[usize]) {
-        for &i in order {
-            let own = cover.own(i);
-            let placed = self.place(&own, Some(balls[i].ball));
-            if own.is_empty() || placed.outside < balls[i].outside {
-                balls[i] = placed;
-                cover.update(self, balls, i);
-            }
-        }
+    /// A set for coarser pieces, fitted to these.
+    fn again(&self, balls: &[Ball]) -> Vec<Ball> {
+        let priced = balls.iter().map(|ball| self.placing.priced(*ball));
+        let mut state = State::new(self.pieces, priced.collect());
+        self.complete(&mut state);
+        self.relieve_all(&mut state);
+        self.nudge(&mut state, 200, &mut Random(balls.len() as u64));
+        self.relieve_all(&mut state);
+        self.prune(&mut state);
+        state.into_balls()
     }
-}
 
-/// The balls by their outside volume, largest first.
-pub(super) fn costliest(balls: &[Priced]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..balls.len()).collect();
-    order.sort_by(|&a, &b| {
-        balls[b]
-            .outside
-            .total_cmp(&balls[a].outside)
-            .then(a.cmp(&b))
-    });
-    order
-}
-
-/// E of equation (35).
-pub(super) fn total(balls: &[Priced]) -> f64 {
-    balls.iter().map(|b| b.outside).sum()
-}
-
-/// Where the least value stands; the first of equals.
-fn least(values: impl Iterator<Item = f64>) -> usize {
-    values
-        .enumerate()
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-        .map_or(0, |(i, _)| i)
-}
-
-/// The point of largest `measure`. `points` is not empty.
-pub(super) fn farthest(points: &[DVec3], measure: impl Fn(&DVec3) -> f64) -> DVec3 {
-    points
-        .iter()
-        .max_by(|a, b| measure(a).total_cmp(&measure(b)))
-        .copied()
-        .unwrap_or_default()
-}
-
-/// Indices by the group they belong to.
-fn grouped(group: &[usize], count: usize) -> Vec<Vec<u32>> {
-    let mut groups = vec![Vec::new(); count];
-    for (i, &g) in group.iter().enumerate() {
-        groups[g].push(i as u32);
+    /// The ball that holds the given pieces with least outside volume that a search finds, from `old` among
+    /// other places; one of radius 0 for no pieces.
+    pub(super) fn place(&self, pieces: &[u32], old: Option<Ball>, thorough: bool) -> Priced {
+        let points = self.pieces.points_of(pieces);
+        let normal: DVec3 = pieces
+            .iter()
+            .map(|&i| self.pieces.normals[i as usize])
+            .sum();
+        self.placing
+            .place(&points, normal.normalize_or_zero(), old, thorough)
     }
-    groups
 }

@@ -1,20 +1,30 @@
 //! Sphere sets: the balls that block light in a mesh's place.
 //!
-//! A set bounds the mesh (every point of every triangle lies in one of the spheres) and has little volume
-//! outside it, because that volume is where shadows are too large.
+//! A set bounds the mesh (every point of every triangle lies in one of the spheres, and so do the points of a grid
+//! inside) and has little volume outside it, because that volume is where shadows are too large. docs/SPHERES.md has
+//! figures, and how they compare with simpler sets.
 
-mod cover;
+mod closed;
 mod fit;
+mod flood;
+mod moves;
+mod pieces;
 mod place;
+pub(crate) mod proof;
+mod random;
 mod solid;
-mod surface;
-mod teleport;
+mod start;
+mod state;
+mod winding;
 
-use fit::Fit;
 use glam::DVec3;
+use pieces::Pieces;
+use proof::Ball;
 use sh_scene::{Mesh, Sphere};
 use solid::{Disc, Solid};
-use surface::{Ball, Surface};
+
+/// Changes whenever the same mesh may get other spheres than before: sets that were kept are then of no use.
+pub(crate) const FIT_VERSION: u32 = 1;
 
 /// Spheres that bound a mesh, and how tightly.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,14 +32,14 @@ pub struct SphereSet {
     /// The spheres, in the mesh's own space; never more than were asked for, and at least one.
     pub spheres: Vec<Sphere>,
     /// Outside volume E = Σ V(Sᵢ − T) divided by the volume of the mesh (Ren et al. 2006, equation 35 and
-    /// figure 4), or none for a mesh that is not closed and so has no volume.
+    /// figure 4). The solid of an open mesh is what it encloses by more than half; none where it encloses nothing.
     pub outside_volume_ratio: Option<f32>,
 }
 
 impl SphereSet {
     /// Fits at most `count` spheres (at least one) to the triangles of `meshes` together, which must share
-    /// one space. The same input gives the same spheres, whatever the number of threads. Takes about half a
-    /// second for 64 spheres; a mesh without triangles has no spheres.
+    /// one space. The same input gives the same spheres, whatever the number of threads. Takes about two seconds
+    /// for 64 spheres on two cores; a mesh without triangles has no spheres. Reads and writes no file.
     ///
     /// ```
     /// use sh_bake::{SphereSet, shapes};
@@ -39,6 +49,11 @@ impl SphereSet {
     /// assert_eq!(set.uncovered(&[&mesh]), None);
     /// ```
     pub fn fit(meshes: &[&Mesh], count: usize) -> Self {
+        Self::fit_with(meshes, count, &|_| {})
+    }
+
+    /// [`SphereSet::fit`], telling `progress` the part that is done, 0 to 1: from several threads, in any order.
+    pub fn fit_with(meshes: &[&Mesh], count: usize, progress: &(dyn Fn(f32) + Sync)) -> Self {
         let (points, triangles) = joined(meshes);
         if triangles.is_empty() {
             return Self {
@@ -48,15 +63,20 @@ impl SphereSet {
         }
         let count = count.max(1);
         let solid = Solid::new(&points, &triangles);
-        let surface = Surface::new(
-            &points,
-            &triangles,
-            (120 * count)
-                .clamp(3_000, 8_000)
-                .max(40 * count)
-                .min(60_000),
-        );
-        let mut balls = Fit::new(&surface, &solid).run(count);
+        let target = (120 * count)
+            .clamp(3_000, 8_000)
+            .max(40 * count)
+            .min(60_000);
+        let pieces = Pieces::new(&points, &triangles, &solid, target);
+        let mut balls = fit::fit(&pieces, &solid, count, progress);
+
+        if balls.is_empty() {
+            // All triangles are one point, which a ball without extent holds.
+            balls.push(Ball {
+                center: points[triangles[0][0] as usize],
+                radius: 0.0,
+            });
+        }
 
         // What the pieces did not show (triangles left out of a large mesh), and then the rounding to f32,
         // is made up for by growing.
@@ -65,7 +85,7 @@ impl SphereSet {
             ball.center = ball.center.as_vec3().as_dvec3();
         }
         for t in &triangles {
-            surface::ensure(&mut balls, t.map(|i| points[i as usize]), 2e-3 * size);
+            proof::ensure(&mut balls, t.map(|i| points[i as usize]), 2e-3 * size);
         }
         let spheres: Vec<Sphere> = balls
             .iter()
@@ -107,13 +127,27 @@ impl SphereSet {
             .collect();
         triangles
             .iter()
-            .find_map(|t| surface::uncovered(&balls, t.map(|i| points[i as usize]), 40))
+            .find_map(|t| proof::uncovered(&balls, t.map(|i| points[i as usize]), 40))
             .map(|p| p.as_vec3().to_array())
     }
 }
 
+/// Whether meshes together, in one space, are closed: whether no edge is a border, so that it is beyond doubt what is
+/// inside. Vertices within a millionth of the meshes' size of each other count as one.
+///
+/// ```
+/// let mut mesh = sh_bake::shapes::ball(1.0, 2);
+/// assert!(sh_bake::is_closed(&[&mesh]));
+/// mesh.triangles.pop();
+/// assert!(!sh_bake::is_closed(&[&mesh]));
+/// ```
+pub fn is_closed(meshes: &[&Mesh]) -> bool {
+    let (points, triangles) = joined(meshes);
+    closed::is_closed(&points, &triangles)
+}
+
 /// All triangles over one list of points.
-fn joined(meshes: &[&Mesh]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+pub(crate) fn joined(meshes: &[&Mesh]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let (mut points, mut triangles) = (Vec::new(), Vec::new());
     for mesh in meshes {
         let first = points.len() as u32;
@@ -124,7 +158,7 @@ fn joined(meshes: &[&Mesh]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
 }
 
 /// The longest edge of the bounding box.
-fn extent(points: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
+pub(crate) fn extent(points: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
     let used = || triangles.iter().flatten().map(|&i| points[i as usize]);
     let low = used().fold(DVec3::INFINITY, DVec3::min);
     let high = used().fold(DVec3::NEG_INFINITY, DVec3::max);

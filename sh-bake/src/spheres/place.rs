@@ -5,123 +5,200 @@
 //! So a pattern search (Hooke and Jeeves 1961) starts from the best of several depths. It looks only at
 //! points that stand out in some direction; a point that is missed by that is added, and the search goes on.
 
+use super::proof::Ball;
 use super::solid::{Disc, Solid};
-use super::surface::Ball;
+use super::start::farthest;
 use glam::DVec3;
 
 /// A ball with its volume outside the solid.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Priced {
-    pub(crate) ball: Ball,
-    pub(crate) outside: f64,
+pub(super) struct Priced {
+    pub(super) ball: Ball,
+    pub(super) outside: f64,
 }
 
 /// Share of a ball's r³ that is added to its price, so that among balls inside the solid the smallest wins.
-pub(crate) const TIE: f64 = 1e-3;
+pub(super) const TIE: f64 = 1e-3;
 
-/// The best ball found around `points`, of which there is at least one. The search starts in `old` and from
-/// the middle of the points against `normal`, which is their mean normal or zero.
-pub(crate) fn place(
-    solid: &Solid,
-    disc: &Disc,
-    points: &[DVec3],
-    normal: DVec3,
-    old: Option<DVec3>,
-) -> Priced {
-    let mut active = outstanding(points);
-    let middle = enclosing_center(&active);
-    let size = reach(&active, middle);
-    let starts = [0.0, 0.35, 0.8, 1.5, 3.0].map(|depth| middle - normal * (size * depth));
-    let mut best = price(solid, disc, &active, middle);
-    for start in starts[1..].iter().copied().chain(old) {
-        best = cheaper(best, price(solid, disc, &active, start));
-    }
-    let mut step = 0.3 * size.min(best.1.ball.radius);
-    for _ in 0..10 {
-        while step > 0.005 * size {
-            let center = best.1.ball.center;
-            let before = best.0;
-            for offset in [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| axis * step) {
-                best = cheaper(best, price(solid, disc, &active, center + offset));
-                best = cheaper(best, price(solid, disc, &active, center - offset));
-            }
-            if best.0 >= before {
-                step *= 0.5;
-            }
-        }
-        let missed = farthest(points, best.1.ball.center);
-        if missed.distance(best.1.ball.center) <= best.1.ball.radius {
-            return best.1;
-        }
-        active.push(missed);
-        best = price(solid, disc, &active, best.1.ball.center);
-        step = 0.05 * size;
-    }
-    price(solid, disc, points, best.1.ball.center).1
+/// What outside volumes are measured with.
+pub(super) struct Placing<'a> {
+    pub(super) solid: &'a Solid,
+    /// Few chords, for the many places that a search looks at.
+    pub(super) coarse: Disc,
+    /// More chords, for what is kept: a search finds the place where few chords err most.
+    pub(super) fine: Disc,
 }
 
-/// The price of a centre, with its ball.
-fn price(solid: &Solid, disc: &Disc, points: &[DVec3], center: DVec3) -> (f64, Priced) {
-    let radius = reach(points, center);
-    let outside = solid.outside(center, radius, disc);
-    (
-        outside + TIE * radius.powi(3),
+impl Placing<'_> {
+    /// The best ball found around `points`. The search starts in `old` and from the middle of the points against
+    /// `normal`, which is their mean normal or zero. Around no points it is a ball of radius 0.
+    pub(super) fn place(
+        &self,
+        points: &[DVec3],
+        normal: DVec3,
+        old: Option<Ball>,
+        thorough: bool,
+    ) -> Priced {
+        let old = old.map(|ball| ball.center);
+        if points.is_empty() {
+            let center = old.unwrap_or_default();
+            return self.priced(Ball {
+                center,
+                radius: 0.0,
+            });
+        }
+        let mut active = outstanding(points);
+        let middle = enclosing_center(&active, if thorough { 32 } else { 12 });
+        let searched = self.search(points, &mut active, middle, normal, old, thorough);
+        let mut best = self.priced(searched);
+        if thorough {
+            // Two more candidates, which few chords may have passed over.
+            for center in [Some(middle), old].into_iter().flatten() {
+                let other = self.priced(around(points, center));
+                if other.outside < best.outside {
+                    best = other;
+                }
+            }
+        }
+        best
+    }
+
+    fn search(
+        &self,
+        points: &[DVec3],
+        active: &mut Vec<DVec3>,
+        middle: DVec3,
+        normal: DVec3,
+        old: Option<DVec3>,
+        thorough: bool,
+    ) -> Ball {
+        let finest = if thorough { 0.005 } else { 0.02 };
+        let size = around(active, middle).radius;
+        let starts = [0.0, 0.35, 0.8, 1.5, 3.0].map(|depth| middle - normal * (size * depth));
+        let mut best = self.price(active, middle);
+        for start in starts[1..].iter().copied().chain(old) {
+            best = cheaper(best, self.price(active, start));
+        }
+        let mut step = 0.3 * size.min(best.1.radius);
+        for _ in 0..10 {
+            while step > finest * size {
+                let before = best.0;
+                let center = best.1.center;
+                for offset in [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| axis * step) {
+                    best = cheaper(best, self.price(active, center + offset));
+                    best = cheaper(best, self.price(active, center - offset));
+                }
+                // The radius has a crease wherever two points are equally far. Along it no axis need lead down, but
+                // the way to the middle of the points that are nearly farthest does.
+                let Ball { center, radius } = best.1;
+                let inward = inward(active, center, radius - step);
+                best = cheaper(best, self.price(active, center + inward * step));
+                if best.0 >= before {
+                    step *= 0.5;
+                }
+            }
+            let missed = farthest(points, best.1.center);
+            if missed.distance(best.1.center) <= best.1.radius {
+                return best.1;
+            }
+            active.push(missed);
+            best = self.price(active, best.1.center);
+            step = 0.05 * size;
+        }
+        around(points, best.1.center)
+    }
+
+    /// The price of a centre, with its ball.
+    fn price(&self, points: &[DVec3], center: DVec3) -> (f64, Ball) {
+        let ball = around(points, center);
+        (
+            self.rough(center, ball.radius) + TIE * ball.radius.powi(3),
+            ball,
+        )
+    }
+
+    /// A ball's outside volume, roughly.
+    pub(super) fn rough(&self, center: DVec3, radius: f64) -> f64 {
+        self.solid.outside(center, radius, &self.coarse)
+    }
+
+    /// A ball with its outside volume.
+    pub(super) fn priced(&self, ball: Ball) -> Priced {
         Priced {
-            ball: Ball { center, radius },
-            outside,
-        },
-    )
+            ball,
+            outside: self.solid.outside(ball.center, ball.radius, &self.fine),
+        }
+    }
 }
 
-fn cheaper(a: (f64, Priced), b: (f64, Priced)) -> (f64, Priced) {
+fn cheaper(a: (f64, Ball), b: (f64, Ball)) -> (f64, Ball) {
     if b.0 < a.0 { b } else { a }
 }
 
-/// How far the points reach from a centre.
-fn reach(points: &[DVec3], center: DVec3) -> f64 {
-    points
+/// The ball about a centre that reaches all points.
+fn around(points: &[DVec3], center: DVec3) -> Ball {
+    let squared = points
         .iter()
         .map(|p| p.distance_squared(center))
-        .fold(0.0, f64::max)
-        .sqrt()
+        .fold(0.0, f64::max);
+    Ball {
+        center,
+        radius: squared.sqrt(),
+    }
 }
 
-/// The point farthest from a centre.
-fn farthest(points: &[DVec3], center: DVec3) -> DVec3 {
-    let by = |p: &&DVec3| p.distance_squared(center);
-    points
+/// The direction to the middle of the points at least `least` away.
+fn inward(points: &[DVec3], center: DVec3, least: f64) -> DVec3 {
+    let squared = least.max(0.0).powi(2);
+    let far = points
         .iter()
-        .max_by(|a, b| by(a).total_cmp(&by(b)))
-        .copied()
-        .unwrap_or(center)
+        .filter(|p| p.distance_squared(center) >= squared);
+    far.map(|p| p - center).sum::<DVec3>().normalize_or_zero()
 }
 
 /// The points that lie farthest in one of 26 directions; all of them where they are few.
 fn outstanding(points: &[DVec3]) -> Vec<DVec3> {
-    if points.len() <= 40 {
+    if points.len() <= 32 {
         return points.to_vec();
     }
-    let mut found = Vec::with_capacity(26);
-    for k in (0..27).filter(|k| *k != 13) {
+    let mut found: Vec<usize> = Vec::with_capacity(26);
+    for k in 14..27 {
         let direction = DVec3::new(
             f64::from(k % 3 - 1),
             f64::from(k / 3 % 3 - 1),
             f64::from(k / 9 - 1),
         );
-        let far = points
-            .iter()
-            .max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction)));
-        found.extend(far.filter(|p| !found.contains(*p)).copied());
+        let (mut least, mut most) = ((0, f64::INFINITY), (0, f64::NEG_INFINITY));
+        for (i, p) in points.iter().enumerate() {
+            let at = p.dot(direction);
+            if at < least.1 {
+                least = (i, at);
+            }
+            if at > most.1 {
+                most = (i, at);
+            }
+        }
+        for i in [least.0, most.0] {
+            if !found.contains(&i) {
+                found.push(i);
+            }
+        }
     }
-    found
+    found.into_iter().map(|i| points[i]).collect()
 }
 
-/// Nearly the centre of the smallest ball around the points (Bădoiu and Clarkson 2003: step towards the
-/// farthest point by 1 / (k + 1)).
-fn enclosing_center(points: &[DVec3]) -> DVec3 {
+/// Nearly the centre of the smallest ball around the points: `steps` of Bădoiu and Clarkson 2003, towards the
+/// farthest point by 1 / (k + 1), and then twice as many that shrink faster, as those would take thousands to come
+/// nearer than a hundredth of the radius.
+fn enclosing_center(points: &[DVec3], steps: u32) -> DVec3 {
     let mut center = points.iter().sum::<DVec3>() / points.len() as f64;
-    for k in 1..=16 {
+    for k in 1..=steps {
         center += (farthest(points, center) - center) / f64::from(k + 1);
+    }
+    let mut step = 1.0 / f64::from(steps + 1);
+    for _ in 0..2 * steps {
+        center += (farthest(points, center) - center) * step;
+        step *= 0.9;
     }
     center
 }

@@ -62,6 +62,7 @@ pub fn scene(objects: Vec<Object>) -> Scene {
     Scene {
         objects,
         environment: EnvironmentMap::constant([1.0; 3]),
+        lights: Vec::new(),
         ground: None,
         camera: Camera {
             eye: vec3(0.0, 0.0, 5.0),
@@ -69,10 +70,9 @@ pub fn scene(objects: Vec<Object>) -> Scene {
             fov: 0.8,
         },
         settings: Settings {
-            order: 4,
-            accumulation: 4,
-            shadows: true,
-            window: 8.0,
+            window: Some(8.0),
+            half_resolution: false,
+            ..Settings::default()
         },
     }
 }

@@ -1,7 +1,7 @@
 //! Whole frames.
 
 use crate::gpu::Gpu;
-use crate::scenes::{Numbers, standing_quad, view};
+use crate::scenes::{Numbers, ball_and_quad, standing_quad, view};
 use sh_gpu::Renderer;
 use sh_scene::{Plan, Scene, View};
 
@@ -11,7 +11,9 @@ pub fn render(gpu: &Gpu, scene: &Scene, view: &View, max_samples: u32) -> Vec<[f
     let renderer =
         Renderer::with_bands(&gpu.device, &gpu.queue, scene, &plan, view, max_samples).unwrap();
     let light = Numbers(4).light(scene.settings.order);
-    renderer.prepare(&gpu.queue, scene, &light, view).unwrap();
+    renderer
+        .prepare(&gpu.queue, scene, &scene.forest(), &light, view)
+        .unwrap();
     gpu.submit(|encoder| renderer.record(encoder, None));
     gpu.read(renderer.picture())
 }
@@ -32,7 +34,7 @@ pub fn the_sky_is_the_environment_map(gpu: &Gpu) {
             let (x, y) = (i as u32 % 80 * 2, i as u32 / 80 * 2);
             let mut sum = [0.0; 3];
             for (x, y) in [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)] {
-                let sample = scene.environment.sample(view.ray(x, y));
+                let sample = scene.environment.sample(view.ray(view.samples(), x, y));
                 sum = std::array::from_fn(|c| sum[c] + sample[c] / 4.0);
             }
             for c in 0..3 {
@@ -46,42 +48,51 @@ pub fn the_sky_is_the_environment_map(gpu: &Gpu) {
     }
 }
 
-/// A picture whose height no band divides is the same in one band and in many.
+/// A picture whose height no band divides is the same in one band and in many, at full and at half resolution.
 pub fn bands_leave_no_seam(gpu: &Gpu) {
-    let scene = standing_quad();
-    let view = view(&scene, 64, 85);
-    let (one, many) = (
-        render(gpu, &scene, &view, 1 << 20),
-        render(gpu, &scene, &view, 1),
-    );
-    assert_eq!(one.len(), 64 * 85);
-    let differ = one.iter().zip(&many).filter(|(a, b)| {
-        // Samples at an edge may fall to either side.
-        a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 1e-5)
-    });
-    assert!(differ.count() <= 2);
-    // The last row is a picture too, with ground in it.
-    assert!(
-        one[84 * 64..]
-            .iter()
-            .all(|pixel| pixel[3] == 1.0 && pixel[0] > 0.0)
-    );
-    assert_eq!(
-        many,
-        render(gpu, &scene, &view, 1),
-        "the same bits from run to run"
-    );
+    for scene in [standing_quad(), ball_and_quad()] {
+        let view = view(&scene, 65, 151);
+        let (one, many) = (
+            render(gpu, &scene, &view, 1 << 20),
+            render(gpu, &scene, &view, 1),
+        );
+        assert_eq!(one.len(), 65 * 151);
+        let differ = one.iter().zip(&many).filter(|(a, b)| {
+            // Samples at an edge may fall to either side.
+            a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 1e-5)
+        });
+        let count = differ.count();
+        assert!(count <= 8, "{count} pixels differ");
+        // The last row is a picture too, with ground in it.
+        assert!(
+            one[150 * 65..]
+                .iter()
+                .all(|pixel| pixel[3] == 1.0 && pixel[0] > 0.0)
+        );
+        assert_eq!(
+            many,
+            render(gpu, &scene, &view, 1),
+            "the same bits from run to run"
+        );
+    }
 }
 
 /// Numbers of everything a device holds, after a frame and after ten more.
 pub fn a_steady_frame_creates_nothing(gpu: &Gpu) {
-    let scene = standing_quad();
+    let scene = ball_and_quad();
     let view = view(&scene, 40, 85);
     let plan = Plan::new(&scene);
     let renderer = Renderer::with_bands(&gpu.device, &gpu.queue, &scene, &plan, &view, 1).unwrap();
     let light = Numbers(4).light(4);
+    let forest = scene.forest();
     let frame = || {
-        renderer.prepare(&gpu.queue, &scene, &light, &view).unwrap();
+        let queue = &gpu.queue;
+        renderer.update_meshes(queue, &scene).unwrap();
+        let environment = &scene.environment;
+        renderer.update_environment(queue, environment).unwrap();
+        renderer
+            .prepare(queue, &scene, &forest, &light, &view)
+            .unwrap();
         gpu.submit(|encoder| renderer.record(encoder, None));
     };
     let held = || {
@@ -105,12 +116,51 @@ pub fn a_steady_frame_creates_nothing(gpu: &Gpu) {
     assert_eq!(held(), before);
 }
 
+/// A renderer that is told of another shape and another sky shows what one made for them shows.
+pub fn a_scene_that_bends_is_uploaded_anew(gpu: &Gpu) {
+    let scene = standing_quad();
+    let mut bent = scene.clone();
+    for (i, p) in bent.objects[0].mesh.positions.iter_mut().enumerate() {
+        p[i % 3] += 0.3;
+    }
+    bent.environment = bent.environment.rotated(1.0);
+    let view = view(&scene, 40, 30);
+    let (queue, light) = (&gpu.queue, Numbers(4).light(4));
+    let plan = Plan::new(&scene);
+    let renderer = Renderer::new(&gpu.device, queue, &scene, &plan, &view).unwrap();
+    let frame = |scene: &Scene| {
+        let forest = scene.forest();
+        renderer
+            .prepare(queue, scene, &forest, &light, &view)
+            .unwrap();
+        gpu.submit(|encoder| renderer.record(encoder, None));
+        gpu.read::<[f32; 4]>(renderer.picture())
+    };
+    let before = frame(&scene);
+    renderer.update_meshes(queue, &bent).unwrap();
+    let environment = &bent.environment;
+    renderer.update_environment(queue, environment).unwrap();
+    let after = frame(&bent);
+    assert_eq!(after, render(gpu, &bent, &view, 1 << 20));
+    assert_ne!(after, before);
+
+    let mut other = scene.clone();
+    other.objects[0].mesh.positions.pop();
+    let sentence = renderer.update_meshes(queue, &other).unwrap_err();
+    assert!(sentence.to_string().contains("were uploaded"), "{sentence}");
+    other.objects.clear();
+    assert!(renderer.update_meshes(queue, &other).is_err());
+    let small = sh_scene::EnvironmentMap::constant([1.0; 3]);
+    let sentence = renderer.update_environment(queue, &small).unwrap_err();
+    assert!(sentence.to_string().contains("2 by 1 texels"), "{sentence}");
+}
+
 pub fn timestamps_tell_every_pass(gpu: &Gpu) {
     if !gpu.timestamps {
         println!("this adapter has no timestamps");
         return;
     }
-    let scene = standing_quad();
+    let scene = ball_and_quad();
     let view = view(&scene, 40, 85);
     let plan = Plan::new(&scene);
     let renderer = Renderer::with_bands(&gpu.device, &gpu.queue, &scene, &plan, &view, 1).unwrap();
@@ -126,7 +176,13 @@ pub fn timestamps_tell_every_pass(gpu: &Gpu) {
         mapped_at_creation: false,
     });
     renderer
-        .prepare(&gpu.queue, &scene, &Numbers(4).light(4), &view)
+        .prepare(
+            &gpu.queue,
+            &scene,
+            &scene.forest(),
+            &Numbers(4).light(4),
+            &view,
+        )
         .unwrap();
     gpu.submit(|encoder| {
         renderer.record(encoder, Some(&queries));

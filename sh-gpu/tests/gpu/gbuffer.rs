@@ -6,15 +6,16 @@ use glam::{Affine3A, Quat, Vec2, Vec3};
 use sh_gpu::{Bands, Bodies, GbufferPass};
 use sh_scene::{Receiver, Scene, Texture, View};
 
-/// Receivers and albedo of a whole picture in one band.
+/// Receivers and albedo of a whole picture in one band, row by row.
 fn gbuffer(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Receiver>, Vec<[f32; 4]>) {
-    let bands = Bands::new(&gpu.device, view.width, view.height, 1 << 20).unwrap();
+    let grid = view.samples();
+    let bands = Bands::new(&gpu.device, view, grid, 1 << 20).unwrap();
     assert_eq!(bands.count(), 1);
     let bodies = Bodies::new(&gpu.device, &gpu.queue, scene).unwrap();
     let pass = GbufferPass::new(&gpu.device, &bands).unwrap();
     let (receivers, albedo) = (
-        gpu.room(bands.samples(0) * 32),
-        gpu.room(bands.samples(0) * 16),
+        gpu.room(bands.receivers(0) * 32),
+        gpu.room(bands.receivers(0) * 16),
     );
     let bound = pass
         .bind(
@@ -33,7 +34,15 @@ fn gbuffer(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Receiver>, Vec<[f32; 4
     let nothing: Vec<Receiver> = gpu.read(&receivers);
     assert!(nothing.iter().all(|receiver| receiver.covered == 0));
     gpu.submit(|encoder| pass.record(encoder, &bands, 0, &bodies, &bound, None));
-    (gpu.read(&receivers), gpu.read(&albedo))
+    let (receivers, albedo): (Vec<Receiver>, Vec<[f32; 4]>) =
+        (gpu.read(&receivers), gpu.read(&albedo));
+    let tiles = bands.tiles(0);
+    let covered = |receivers: &[Receiver]| receivers.iter().filter(|r| r.covered != 0).count();
+    let rows = (0..grid.rows).flat_map(|y| (0..grid.columns).map(move |x| tiles.index(x, y)));
+    let rows: Vec<usize> = rows.collect();
+    let found: Vec<Receiver> = rows.iter().map(|&i| receivers[i]).collect();
+    assert_eq!(covered(&found), covered(&receivers), "beyond the grid");
+    (found, rows.iter().map(|&i| albedo[i]).collect())
 }
 
 /// Where a ray meets the quad of half sides 1 that `to_world` places: position and uv.
@@ -63,7 +72,7 @@ pub fn samples_are_where_rays_meet_surfaces(gpu: &Gpu) {
         .normalize();
     let (mut seen, mut different) = ([0; 3], 0);
     for (i, (found, albedo)) in receivers.iter().zip(&albedo).enumerate() {
-        let ray = view.ray(i as u32 % 240, i as u32 / 240);
+        let ray = view.ray(view.samples(), i as u32 % 240, i as u32 / 240);
         let eye = view.camera.eye;
         let quad = meets_quad(scene.objects[0].transform, eye, ray).map(|(p, _)| p);
         let ground = (ray.y < 0.0).then(|| eye - ray * (eye.y / ray.y));
@@ -163,7 +172,7 @@ pub fn textures_are_bilinear_and_repeat(gpu: &Gpu) {
         .enumerate()
         .filter(|(i, _)| receivers[*i].covered == 1)
     {
-        let ray = view.ray(i as u32 % 200, i as u32 / 200);
+        let ray = view.ray(view.samples(), i as u32 % 200, i as u32 / 200);
         let Some((_, uv)) = meets_quad(scene.objects[0].transform, view.camera.eye, ray) else {
             continue;
         };

@@ -54,7 +54,7 @@ fn lit(
     let bound = pass
         .bind(&gpu.device, receivers, radiance)
         .expect("the buffers fit");
-    pass.prepare(&gpu.queue, spheres, light)
+    pass.prepare_spheres(&gpu.queue, spheres, light)
         .expect("blockers and light fit");
     gpu.submit(|encoder| pass.record(encoder, &bound, None));
     let found: Vec<[f32; 4]> = gpu.read(&output);

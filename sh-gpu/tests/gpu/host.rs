@@ -1,12 +1,13 @@
 //! The passes as middleware: other people's buffers, and what does not fit.
 
 use crate::gpu::Gpu;
-use crate::scenes::{Numbers, standing_quad, view};
+use crate::scenes::{Numbers, ball_and_quad, lamps, standing_quad, view};
 use crate::shading::shadow;
 use sh_gpu::{
-    Bands, Bodies, Error, IrradiancePass, Renderer, ResolvePass, ShadowOptions, ShadowPass,
+    Bands, Bodies, ClusterBinding, Error, IrradiancePass, Renderer, ResolvePass, ShadowOptions,
+    ShadowPass,
 };
-use sh_scene::{EnvironmentMap, Plan, Receiver, Scene, View};
+use sh_scene::{EnvironmentMap, Forest, Limits, Plan, Receiver, Resolution, Scene, View};
 use wgpu::{BufferBinding, BufferSize, BufferUsages};
 
 fn part(buffer: &wgpu::Buffer, offset: u64, size: u64) -> BufferBinding<'_> {
@@ -31,6 +32,7 @@ pub fn offsets_and_sizes_are_respected(gpu: &Gpu) {
         order: 3,
         accumulation: 3,
         max_blockers: 100,
+        max_emitters: 0,
     };
     let pass = ShadowPass::new(&gpu.device, options).unwrap();
     // Receivers 8 to 78, radiance from element 48 on.
@@ -41,7 +43,7 @@ pub fn offsets_and_sizes_are_respected(gpu: &Gpu) {
             part(&output, 768, 71 * 16),
         )
         .unwrap();
-    pass.prepare(&gpu.queue, &spheres, &light).unwrap();
+    pass.prepare_spheres(&gpu.queue, &spheres, &light).unwrap();
     gpu.submit(|encoder| pass.record(encoder, &bound, None));
     let found: Vec<[f32; 4]> = gpu.read(&output);
     assert_eq!(found[48..118], whole[8..78]);
@@ -56,7 +58,7 @@ pub fn offsets_and_sizes_are_respected(gpu: &Gpu) {
 /// More workgroups than one axis of a dispatch holds.
 pub fn large_dispatches_reach_the_last(gpu: &Gpu) {
     let count = 65536 * 64_u64;
-    let pass = IrradiancePass::new(&gpu.device, 2).unwrap();
+    let pass = IrradiancePass::new(&gpu.device, 2, 0).unwrap();
     let (input, output) = (gpu.room(count * 32), gpu.room(count * 16));
     let up = Receiver {
         position: [0.0; 3],
@@ -93,7 +95,7 @@ fn says<T>(result: Result<T, Error>, expected: &str) {
 pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
     let device = &gpu.device;
     for order in [0, 1, 7] {
-        says(IrradiancePass::new(device, order), "orders 2 to 6");
+        says(IrradiancePass::new(device, order, 0), "orders 2 to 6");
     }
     let huge = ShadowOptions {
         max_blockers: u32::MAX,
@@ -109,6 +111,7 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
             order: 4,
             accumulation,
             max_blockers: 3,
+            max_emitters: 1,
         };
         let sentence =
             format!("order 4 cannot be accumulated at order {accumulation}: orders 4 to 6 can");
@@ -118,6 +121,7 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
         order: 7,
         accumulation: 7,
         max_blockers: 3,
+        max_emitters: 1,
     };
     says(ShadowPass::new(device, beyond), "orders 2 to 6");
 
@@ -126,21 +130,49 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
         order: 4,
         accumulation: 4,
         max_blockers: 3,
+        max_emitters: 1,
     };
     let pass = ShadowPass::new(device, few).unwrap();
     says(
-        pass.prepare(&gpu.queue, &numbers.spheres(4), &numbers.light(4)),
+        pass.prepare_spheres(&gpu.queue, &numbers.spheres(4), &numbers.light(4)),
         "4 blocker spheres do not fit the 3",
     );
     says(
-        pass.prepare(&gpu.queue, &[], &numbers.light(3)),
+        pass.prepare_spheres(&gpu.queue, &[], &numbers.light(3)),
         "the light has order 3",
     );
     let mut short = numbers.light(4);
     short.coefficients.pop();
-    says(pass.prepare(&gpu.queue, &[], &short), "15 coefficients");
+    says(
+        pass.prepare_spheres(&gpu.queue, &[], &short),
+        "15 coefficients",
+    );
+
+    let lamps = numbers.light(4).with_lights(&lamps()).unwrap();
+    says(
+        pass.prepare_spheres(&gpu.queue, &[], &lamps),
+        "2 analytic lights do not fit the 1",
+    );
+    let forest = Forest::new(&numbers.spheres(4), &[4]);
+    says(
+        pass.prepare(&gpu.queue, &forest, Limits::default(), &numbers.light(4)),
+        "4 blocker spheres do not fit the 3",
+    );
+    says(
+        pass.prepare_light(&gpu.queue, 7, Limits::default(), &numbers.light(4)),
+        "do not fit the 3",
+    );
 
     let (input, output) = (gpu.room(3200), gpu.room(1600));
+    let clusters = |binding| ClusterBinding {
+        clusters: binding,
+        largest: 100,
+    };
+    let bind = |records| {
+        let (receivers, radiance) = (part(&input, 0, 3200), part(&output, 0, 1600));
+        pass.bind_clusters(device, receivers, clusters(records), radiance)
+    };
+    says(bind(part(&input, 0, 12)), "`clusters` has 12 bytes");
     says(
         pass.bind(device, part(&input, 0, 3200), part(&output, 0, 1584)),
         "`radiance` holds 99",
@@ -168,18 +200,22 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
         "BufferUsages::STORAGE",
     );
 
-    says(Bands::new(device, 0, 10, 1000), "is empty");
-    says(
-        Bands::new(device, 5000, 10, 1000),
-        "max_texture_dimension_2d",
-    );
-    says(Bands::new(device, 4000, 40000, 1000), "max_buffer_size");
-
     let mut scene = standing_quad();
+    let bands = |width, height| {
+        let view = view(&scene, width, height);
+        Bands::new(device, &view, view.samples(), 1000)
+    };
+    says(bands(0, 10), "is empty");
+    says(bands(5000, 10), "max_texture_dimension_2d");
+    says(bands(4000, 40000), "max_buffer_size");
+    let bands = bands(16, 16).unwrap();
+
     let small = view(&scene, 16, 16);
     let renderer = Renderer::new(device, &gpu.queue, &scene, &Plan::new(&scene), &small).unwrap();
     let light = numbers.light(4);
-    let prepare = |scene: &Scene, view: &View| renderer.prepare(&gpu.queue, scene, &light, view);
+    let forest = scene.forest();
+    let prepare =
+        |scene: &Scene, view: &View| renderer.prepare(&gpu.queue, scene, &forest, &light, view);
     says(prepare(&scene, &view(&scene, 16, 17)), "another size");
     scene.camera.target = scene.camera.eye;
     says(prepare(&scene, &view(&scene, 16, 16)), "no direction");
@@ -197,7 +233,6 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
         "3 normals for 4 vertices",
     );
 
-    let bands = Bands::new(device, 16, 16, 1000).unwrap();
     let map = EnvironmentMap {
         width: 2,
         height: 2,
@@ -206,6 +241,12 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
     says(
         ResolvePass::new(device, &gpu.queue, &bands, &map),
         "2 by 2 texels brings 3",
+    );
+    let mut plan = Plan::new(&ball_and_quad());
+    plan.passes.retain(|pass| pass.at != Resolution::Halves);
+    says(
+        Renderer::new(device, &gpu.queue, &ball_and_quad(), &plan, &small),
+        "nothing in it works at half resolution",
     );
     let map = EnvironmentMap {
         width: 9000,

@@ -1,12 +1,14 @@
 //! What needs a GPU. Without an adapter every test shows as ignored, never as passed; with
 //! `GAUNT_REQUIRE_GPU=1` a missing adapter is a failure.
 
+mod clusters;
 mod frame;
 mod gbuffer;
 mod gpu;
 mod hard_cases;
 mod hard_scenes;
 mod host;
+mod parity;
 mod scenes;
 mod shading;
 #[path = "../../../tests/shared/shading_cases/mod.rs"]
@@ -71,6 +73,10 @@ const TESTS: &[Test] = &[
         frame::a_steady_frame_creates_nothing,
     ),
     (
+        "frame::a_scene_that_bends_is_uploaded_anew",
+        frame::a_scene_that_bends_is_uploaded_anew,
+    ),
+    (
         "hard_scenes::triangles_without_area_change_no_pixel",
         hard_scenes::triangles_without_area_change_no_pixel,
     ),
@@ -81,6 +87,34 @@ const TESTS: &[Test] = &[
     (
         "hard_scenes::scenes_of_any_size_look_the_same",
         hard_scenes::scenes_of_any_size_look_the_same,
+    ),
+    (
+        "clusters::trees_of_any_kind_stay_bounded",
+        clusters::trees_of_any_kind_stay_bounded,
+    ),
+    (
+        "clusters::clusters_that_lead_nowhere_do_no_harm",
+        clusters::clusters_that_lead_nowhere_do_no_harm,
+    ),
+    (
+        "clusters::clusters_beyond_one_axis_are_lit",
+        clusters::clusters_beyond_one_axis_are_lit,
+    ),
+    (
+        "parity::cuts_are_those_of_the_cpu",
+        parity::cuts_are_those_of_the_cpu,
+    ),
+    (
+        "parity::analytic_lights_are_those_of_the_cpu",
+        parity::analytic_lights_are_those_of_the_cpu,
+    ),
+    (
+        "parity::upsampled_light_is_that_of_the_cpu",
+        parity::upsampled_light_is_that_of_the_cpu,
+    ),
+    (
+        "parity::pictures_are_those_of_the_cpu",
+        parity::pictures_are_those_of_the_cpu,
     ),
     (
         "frame::timestamps_tell_every_pass",

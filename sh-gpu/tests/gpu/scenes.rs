@@ -2,8 +2,8 @@
 
 use glam::{Affine3A, Vec3};
 use sh_scene::{
-    Camera, EnvironmentMap, Ground, Light, Material, Mesh, Object, Receiver, Scene, Settings,
-    Sphere, View,
+    AreaLight, AreaShape, Camera, EnvironmentMap, Ground, Light, Limits, Material, Mesh, Object,
+    Receiver, Scene, Settings, Sphere, View,
 };
 
 /// Numbers in 0..1, the same every time (SplitMix64).
@@ -53,6 +53,7 @@ impl Numbers {
         Light {
             order,
             coefficients,
+            emitters: Vec::new(),
         }
     }
 }
@@ -105,6 +106,7 @@ pub fn standing_quad() -> Scene {
             height: 16,
             pixels,
         },
+        lights: Vec::new(),
         ground: Some(Ground {
             height: 0.0,
             albedo: [0.1, 0.2, 0.3],
@@ -118,9 +120,82 @@ pub fn standing_quad() -> Scene {
             order: 4,
             accumulation: 4,
             shadows: true,
-            window: 8.0,
+            window: Some(8.0),
+            half_resolution: false,
+            limits: Limits::default(),
         },
     }
+}
+
+/// A ball of so many rings.
+pub fn ball(radius: f32, rings: u32) -> Mesh {
+    let columns = 2 * rings;
+    let mut mesh = Mesh::default();
+    for ring in 0..=rings {
+        for column in 0..=columns {
+            let turn = std::f32::consts::TAU * (column % columns) as f32 / columns as f32;
+            let tilt = std::f32::consts::PI * ring as f32 / rings as f32;
+            let flat = tilt.sin();
+            let normal = Vec3::new(flat * turn.sin(), tilt.cos(), flat * turn.cos());
+            mesh.positions.push((normal * radius).into());
+            mesh.normals.push(normal.into());
+        }
+    }
+    for ring in 0..rings {
+        for column in 0..columns {
+            let (at, below) = (
+                ring * (columns + 1) + column,
+                (ring + 1) * (columns + 1) + column,
+            );
+            mesh.triangles.push([at, below, below + 1]);
+            mesh.triangles.push([at, below + 1, at + 1]);
+        }
+    }
+    mesh
+}
+
+/// Two analytic lights: one in the sky, one near by.
+pub fn lamps() -> Vec<AreaLight> {
+    vec![
+        AreaLight {
+            shape: AreaShape::Distant {
+                direction: Vec3::new(1.0, 2.0, 0.7),
+                angle: 0.3,
+            },
+            radiance: [9.0, 7.0, 4.0],
+            window: None,
+        },
+        AreaLight {
+            shape: AreaShape::Local {
+                center: Vec3::new(-2.0, 1.5, 1.0),
+                radius: 0.4,
+            },
+            radiance: [1.0, 2.0, 8.0],
+            window: Some(6.0),
+        },
+    ]
+}
+
+/// A ball of forty blockers before a quad on the ground, lit by the sky and by lamps, at half resolution.
+pub fn ball_and_quad() -> Scene {
+    let mut scene = standing_quad();
+    let mut numbers = Numbers(8);
+    let spheres = (0..40)
+        .map(|_| Sphere {
+            center: (numbers.vector().normalize() * 0.35).into(),
+            radius: 0.15,
+        })
+        .collect();
+    scene.objects.push(Object {
+        name: "ball".into(),
+        mesh: ball(0.5, 24),
+        transform: Affine3A::from_translation(Vec3::new(0.6, 0.5, 1.2)),
+        spheres,
+        ..scene.objects[0].clone()
+    });
+    scene.lights = lamps();
+    scene.settings.half_resolution = true;
+    scene
 }
 
 /// The scene's own camera.

@@ -30,6 +30,7 @@ fn accumulated(
         order: light.order,
         accumulation,
         max_blockers: spheres.len() as u32,
+        max_emitters: light.emitters.len() as u32,
     };
     let pass = ShadowPass::new(&gpu.device, options).unwrap();
     let (input, output) = (
@@ -43,7 +44,7 @@ fn accumulated(
             output.as_entire_buffer_binding(),
         )
         .unwrap();
-    pass.prepare(&gpu.queue, spheres, light).unwrap();
+    pass.prepare_spheres(&gpu.queue, spheres, light).unwrap();
     gpu.submit(|encoder| pass.record(encoder, &bound, None));
     gpu.read(&output)
 }
@@ -105,7 +106,7 @@ pub fn irradiance_is_that_of_f64(gpu: &Gpu) {
     for order in 2..=6 {
         let mut numbers = Numbers(order as u64);
         let (receivers, light) = (numbers.receivers(300), numbers.light(order));
-        let pass = IrradiancePass::new(&gpu.device, order).unwrap();
+        let pass = IrradiancePass::new(&gpu.device, order, 1).unwrap();
         let (input, output) = (
             gpu.buffer(&receivers),
             gpu.buffer(&vec![[-1.0_f32; 4]; 300]),

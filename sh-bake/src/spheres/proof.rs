@@ -1,10 +1,9 @@
-//! A surface cut into small pieces, and the proof that spheres cover it.
+//! The proof that balls cover a triangle, and the repair where they do not.
 //!
 //! A triangle lies in a ball if its three corners do, because a ball is convex. So a set of balls covers a
 //! triangle if the triangle can be cut into pieces each of which has its corners in one ball.
 
 use glam::DVec3;
-use std::collections::HashMap;
 
 /// A ball: centre and radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +26,7 @@ impl Ball {
 }
 
 /// A triangle cut across its longest edge.
-fn halves([a, b, c]: [DVec3; 3]) -> [[DVec3; 3]; 2] {
+pub(crate) fn halves([a, b, c]: [DVec3; 3]) -> [[DVec3; 3]; 2] {
     let (ab, bc, ca) = (
         a.distance_squared(b),
         b.distance_squared(c),
@@ -46,73 +45,10 @@ fn halves([a, b, c]: [DVec3; 3]) -> [[DVec3; 3]; 2] {
 }
 
 /// The longest edge of a triangle, squared.
-fn longest_squared([a, b, c]: &[DVec3; 3]) -> f64 {
+pub(crate) fn longest_squared([a, b, c]: &[DVec3; 3]) -> f64 {
     a.distance_squared(*b)
         .max(b.distance_squared(*c))
         .max(c.distance_squared(*a))
-}
-
-/// A surface in pieces: triangles with no edge longer than asked for, over shared points.
-pub(crate) struct Surface {
-    pub(crate) points: Vec<DVec3>,
-    pub(crate) pieces: Vec<[u32; 3]>,
-}
-
-impl Surface {
-    /// Cuts the triangles into about `target` pieces, and into some ten times as many where they are needles. Of
-    /// a mesh that has far more triangles than `target`, every n-th is taken.
-    pub(crate) fn new(points: &[DVec3], triangles: &[[u32; 3]], target: usize) -> Self {
-        let stride = triangles.len().div_ceil(4 * target).max(1);
-        let chosen = || {
-            triangles
-                .iter()
-                .step_by(stride)
-                .map(|t| t.map(|i| points[i as usize]))
-        };
-        let area: f64 = chosen()
-            .map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length())
-            .sum();
-        // A right triangle with two equal sides and longest edge e has area e² / 4.
-        // A needle has no area to limit its pieces: each halving of the edge makes three of one. So lengths set
-        // an edge as well, which lies below the other for triangles of a common shape.
-        let power = 3.0_f64.log2();
-        let needles: f64 = chosen()
-            .map(|t| longest_squared(&t).powf(0.5 * power))
-            .sum();
-        let edge_squared = (4.0 * area / target as f64)
-            .max((needles / (4 * target) as f64).powf(2.0 / power))
-            .max(f64::MIN_POSITIVE);
-        let mut surface = Self {
-            points: Vec::new(),
-            pieces: Vec::new(),
-        };
-        let mut known = HashMap::new();
-        let mut open = Vec::new();
-        for t in chosen() {
-            open.push((t, 0));
-            while let Some((t, depth)) = open.pop() {
-                if longest_squared(&t) > edge_squared && depth < 14 {
-                    open.extend(halves(t).map(|half| (half, depth + 1)));
-                } else {
-                    let piece = t.map(|p| {
-                        *known
-                            .entry(p.to_array().map(f64::to_bits))
-                            .or_insert_with(|| {
-                                surface.points.push(p);
-                                surface.points.len() as u32 - 1
-                            })
-                    });
-                    surface.pieces.push(piece);
-                }
-            }
-        }
-        surface
-    }
-
-    /// The corners of a piece.
-    pub(crate) fn corners(&self, piece: usize) -> [DVec3; 3] {
-        self.pieces[piece].map(|i| self.points[i as usize])
-    }
 }
 
 /// Grows balls until they cover the triangle: where no cut into pieces of at least `finest` length shows
@@ -165,38 +101,6 @@ mod tests {
     use super::*;
 
     const TRIANGLE: [DVec3; 3] = [DVec3::ZERO, DVec3::X, DVec3::Y];
-
-    #[test]
-    fn pieces_tile_the_triangle() {
-        let surface = Surface::new(&TRIANGLE, &[[0, 1, 2]], 1000);
-        assert!(
-            surface.pieces.len() > 900 && surface.pieces.len() < 4000,
-            "{}",
-            surface.pieces.len()
-        );
-        assert!(surface.points.len() < surface.pieces.len());
-        let area: f64 = (0..surface.pieces.len())
-            .map(|i| surface.corners(i))
-            .map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length())
-            .sum();
-        assert!((area - 0.5).abs() < 1e-12, "{area}");
-    }
-
-    #[test]
-    fn needles_do_not_become_a_multitude() {
-        let needle = |k: u32| {
-            let x = f64::from(k);
-            [
-                DVec3::new(x, 0.0, 0.0),
-                DVec3::new(x, 1e3, 0.0),
-                DVec3::new(x, 5e2, 1e-4),
-            ]
-        };
-        let points: Vec<DVec3> = (0..200).flat_map(needle).collect();
-        let triangles: Vec<[u32; 3]> = (0..200).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
-        let pieces = Surface::new(&points, &triangles, 1000).pieces.len();
-        assert!(pieces > 1000 && pieces < 16_000, "{pieces}");
-    }
 
     #[test]
     fn a_gap_between_balls_is_found_and_closed() {

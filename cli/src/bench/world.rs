@@ -1,0 +1,282 @@
+//! A scene of bodies in motion: what a host keeps from frame to frame.
+
+use super::scenes::Plan;
+use crate::Error;
+use glam::{Affine3A, Quat, Vec3};
+use rayon::prelude::*;
+use sh_core::Routines;
+use sh_cpu::{CutOptions, Cuts, Path, Shadow, shadow_clusters};
+use sh_scene::{
+    AreaLight, AreaShape, Clusters, Forest, Light, Limits, Receiver, Sky, Sphere, ringing,
+};
+use std::ops::Range;
+use std::time::Instant;
+
+/// SH order of light and shadows.
+pub const ORDER: usize = 4;
+
+/// What each part of a frame is called, in order.
+pub const STAGES: [&str; 5] = ["motion", "tree", "light", "cut", "shadow"];
+
+/// Receivers that a task moves.
+const CHUNK: usize = 1024;
+
+/// A scene and everything that its frames need.
+pub struct World {
+    /// All receivers where they are now, cluster by cluster, those that move first.
+    pub receivers: Vec<Receiver>,
+    /// The clusters.
+    pub clusters: Vec<Range<usize>>,
+    /// All blocker spheres where they are now.
+    pub spheres: Vec<Sphere>,
+    /// The tree over them.
+    pub forest: Forest,
+    /// The light as it is now.
+    pub light: Light,
+    /// The blockers of each cluster.
+    pub cuts: Cuts,
+    /// How coarse cuts may be.
+    pub limits: Limits,
+    /// What a frame computes.
+    pub radiance: Vec<[f32; 3]>,
+    moving_clusters: usize,
+    moving: Vec<(u32, Receiver)>,
+    rest: Vec<(u32, Sphere)>,
+    plan: Plan,
+    poses: Vec<Affine3A>,
+    sky: Light,
+    lamps: [AreaLight; 2],
+}
+
+impl World {
+    /// The scene at its beginning.
+    ///
+    /// # Errors
+    /// Where light cannot be made of the sky, which does not happen.
+    pub fn new(plan: Plan) -> Result<Self, Error> {
+        let mut rest = Vec::new();
+        let mut counts = Vec::new();
+        let (mut moving, mut still) = (Vec::new(), Vec::new());
+        let mut clusters = Vec::new();
+        let mut poses = Vec::new();
+        let mut first = 0;
+        for (object, body) in plan.bodies.iter().enumerate() {
+            let at = poses.len();
+            body.pose(0.0, &mut poses);
+            let parts = body.parts(object as u32);
+            counts.push(parts.spheres.len());
+            let named = |segment: usize| (at + segment) as u32;
+            rest.extend(parts.spheres.iter().map(|(s, sphere)| (named(*s), *sphere)));
+            let on: Vec<(u32, Receiver)> = parts
+                .receivers
+                .iter()
+                .map(|(s, receiver)| (named(*s), *receiver))
+                .collect();
+            let placed: Vec<Receiver> = on.iter().map(|r| placed(r, &poses)).collect();
+            let groups = Clusters::new(&placed, body.clusters);
+            if body.pace > 0.0 {
+                moving.extend(groups.sorted(&on));
+                let ranges = groups.ranges.iter().map(|r| r.start + first..r.end + first);
+                clusters.extend(ranges);
+                first += on.len();
+            } else {
+                still.push((groups.sorted(&placed), groups.ranges));
+            }
+        }
+        let floor = floor(plan.floor_side, plan.floor_size);
+        let groups = Clusters::new(&floor, plan.floor_clusters);
+        still.push((groups.sorted(&floor), groups.ranges));
+        let moving_clusters = clusters.len();
+        let mut receivers: Vec<Receiver> = moving.iter().map(|r| placed(r, &poses)).collect();
+        for (on, ranges) in still {
+            clusters.extend(ranges.iter().map(|r| r.start + first..r.end + first));
+            first += on.len();
+            receivers.extend(on);
+        }
+        let spheres: Vec<Sphere> = rest.iter().map(|s| placed_sphere(s, &poses)).collect();
+        let sky = Light::project_smoothly(&Sky::default().map(256, 128), None, ORDER)?;
+        let lamp = |radiance, radius| AreaLight {
+            shape: AreaShape::Local {
+                center: Vec3::new(0.0, 4.0, 0.0),
+                radius,
+            },
+            radiance,
+            // The width is looked for once, not every frame.
+            window: Some(ringing::of_small_light(ORDER)),
+        };
+        let mut world = Self {
+            radiance: vec![[0.0; 3]; receivers.len()],
+            forest: Forest::new(&spheres, &counts),
+            light: sky.clone(),
+            cuts: Cuts::default(),
+            limits: Limits::default(),
+            lamps: [lamp([60.0, 42.0, 24.0], 0.3), lamp([20.0, 30.0, 60.0], 0.4)],
+            receivers,
+            moving_clusters,
+            clusters,
+            spheres,
+            moving,
+            rest,
+            plan,
+            poses,
+            sky,
+        };
+        world.turn_light(0.0)?;
+        Ok(world)
+    }
+
+    /// How many receivers move.
+    pub fn moving(&self) -> usize {
+        self.moving.len()
+    }
+
+    /// Computes the frame at a time on the CPU; the milliseconds of each of [`STAGES`]. Spread over the threads of the
+    /// current rayon pool.
+    ///
+    /// # Errors
+    /// Where the pass refuses what it is given, which does not happen.
+    pub fn frame(&mut self, path: Path, seconds: f32) -> Result<[f64; 5], Error> {
+        let [motion, tree, light] = self.set_out(seconds)?;
+        let (mut cut, mut shadow) = (0.0, 0.0);
+        timed(&mut cut, || self.find_cuts(path));
+        timed(&mut shadow, || self.shade(path))?;
+        Ok([motion, tree, light, cut, shadow])
+    }
+
+    /// Moves everything to where it is at a time; the milliseconds of the first three of [`STAGES`].
+    ///
+    /// # Errors
+    /// As [`World::new`].
+    pub fn set_out(&mut self, seconds: f32) -> Result<[f64; 3], Error> {
+        let mut spent = [0.0; 3];
+        timed(&mut spent[0], || self.pose(seconds));
+        timed(&mut spent[1], || self.forest.update(&self.spheres));
+        timed(&mut spent[2], || self.turn_light(seconds))?;
+        Ok(spent)
+    }
+
+    /// Moves receivers and spheres.
+    pub fn pose(&mut self, seconds: f32) {
+        self.poses.clear();
+        for body in &self.plan.bodies {
+            body.pose(seconds, &mut self.poses);
+        }
+        let poses = &self.poses;
+        self.receivers[..self.moving.len()]
+            .par_chunks_mut(CHUNK)
+            .zip(self.moving.par_chunks(CHUNK))
+            .for_each(|(now, rest)| {
+                for (now, rest) in now.iter_mut().zip(rest) {
+                    *now = placed(rest, poses);
+                }
+            });
+        for (now, rest) in self.spheres.iter_mut().zip(&self.rest) {
+            *now = placed_sphere(rest, poses);
+        }
+    }
+
+    /// Turns the sky and moves the lamps.
+    ///
+    /// # Errors
+    /// As [`World::new`].
+    pub fn turn_light(&mut self, seconds: f32) -> Result<(), Error> {
+        let turn = Quat::from_rotation_y(0.2 * seconds).to_array();
+        for channel in 0..3 {
+            let mut f = [0.0; ORDER * ORDER];
+            for (f, sky) in f.iter_mut().zip(&self.sky.coefficients) {
+                *f = sky[channel];
+            }
+            for (light, f) in self.light.coefficients.iter_mut().zip(f.rotate(turn)) {
+                light[channel] = f;
+            }
+        }
+        self.light.emitters.clear();
+        for (i, lamp) in self.lamps.iter_mut().enumerate() {
+            let angle = 0.7 * seconds + 3.0 * i as f32;
+            if let AreaShape::Local { center, .. } = &mut lamp.shape {
+                *center = Vec3::new(3.0 * angle.sin(), 3.5, 3.0 * angle.cos());
+            }
+            self.light.emitters.push(lamp.emitter(ORDER)?);
+        }
+        Ok(())
+    }
+
+    /// Finds the blockers of every cluster.
+    pub fn find_cuts(&mut self, path: Path) {
+        let options = CutOptions {
+            limits: self.limits,
+            ratios: true,
+            accumulation: ORDER,
+        };
+        let Self {
+            cuts,
+            receivers,
+            clusters,
+            ..
+        } = self;
+        // Those that stand still are measured once.
+        let all = clusters.len();
+        let which = if cuts.clusters() == all {
+            0..self.moving_clusters
+        } else {
+            0..all
+        };
+        cuts.bound(receivers, clusters, which);
+        cuts.find(path, &self.forest, options);
+    }
+
+    /// Shades every receiver.
+    ///
+    /// # Errors
+    /// Where the pass refuses what it is given, which does not happen.
+    pub fn shade(&mut self, path: Path) -> Result<(), Error> {
+        let shadow = Shadow {
+            clusters: &self.clusters,
+            cuts: &self.cuts,
+            light: &self.light,
+            accumulation: ORDER,
+            baked: None,
+        };
+        shadow_clusters(path, &self.receivers, &shadow, &mut self.radiance)?;
+        Ok(())
+    }
+}
+
+/// Runs `work` and writes the milliseconds it took.
+fn timed<T>(spent: &mut f64, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let result = work();
+    *spent = start.elapsed().as_secs_f64() * 1e3;
+    result
+}
+
+fn placed((segment, receiver): &(u32, Receiver), poses: &[Affine3A]) -> Receiver {
+    let pose = &poses[*segment as usize];
+    Receiver {
+        position: pose.transform_point3(receiver.position.into()).into(),
+        normal: pose.transform_vector3(receiver.normal.into()).into(),
+        ..*receiver
+    }
+}
+
+fn placed_sphere((segment, sphere): &(u32, Sphere), poses: &[Affine3A]) -> Sphere {
+    Sphere {
+        center: poses[*segment as usize]
+            .transform_point3(sphere.center.into())
+            .into(),
+        radius: sphere.radius,
+    }
+}
+
+/// A square of `side` by `side` receivers, `size` metres wide.
+fn floor(side: usize, size: f32) -> Vec<Receiver> {
+    let at = |i: usize| size * ((i as f32 + 0.5) / side as f32 - 0.5);
+    (0..side * side)
+        .map(|i| Receiver {
+            position: [at(i % side), 0.0, at(i / side)],
+            covered: 1,
+            normal: [0.0, 1.0, 0.0],
+            object: u32::MAX,
+        })
+        .collect()
+}

@@ -1,0 +1,80 @@
+// The blockers that a cluster of receivers needs (Ren et al. 2006, section 6.3). Twin of sh_cpu's `cut`.
+
+#import shared/records
+#import shared/blocker
+#import library
+
+// A blocker of a cut, and what each band of its log visibility is multiplied with (equation 37).
+struct Weighted {
+    center: vec3f,
+    radius: f32,
+    weights: array<f32, $A>,
+}
+
+// Whether a node is small enough, seen from every receiver of the cluster, to stand for its leaves (equation 36).
+fn is_small(node: Node, bounds: vec4f) -> bool {
+    return node.radius < lighting.sin_max * (distance(node.center, bounds.xyz) - bounds.w);
+}
+
+// Whether the tree's cut holds a node. Whatever is below a small node is small as well, so that nobody has to walk
+// down from the root: the node above must not be small.
+fn in_cut(at: u32, bounds: vec4f) -> bool {
+    if (at >= lighting.nodes) {
+        return false;
+    }
+    let node = nodes[at];
+    if (node.skip > at + 1u && !is_small(node, bounds)) {
+        return false;
+    }
+    return node.parent == at || !is_small(nodes[node.parent], bounds);
+}
+
+// A node of the cut as the receivers add it up. A leaf stands for itself.
+fn weighted(at: u32, bounds: vec4f) -> Weighted {
+    let node = nodes[at];
+    var result = Weighted(node.center, node.radius, array<f32, $A>());
+    if (node.skip > at + 1u) {
+        result.weights = ratio(at, bounds.xyz);
+    } else {
+        for (var l = 0u; l < $Au; l += 1u) {
+            result.weights[l] = 1.0;
+        }
+    }
+    return result;
+}
+
+// The ratio vector of a node, seen from a point. Both log visibilities are sums of zonal functions about directions,
+// whose dot product over a band is P_l of the cosine between these. A group of leaves that is small enough counts as
+// one cap of their joint cross-section.
+fn ratio(at: u32, place: vec3f) -> array<f32, $A> {
+    let whole = nodes[at];
+    let middle = seen(whole.center - place, whole.radius);
+    var sum = array<f32, $A>();
+    var below = at + 1u;
+    while (below < whole.skip) {
+        let node = nodes[below];
+        let towards = node.center - place;
+        let nearest = lighting.sin_min * lighting.sin_min * dot(towards, towards);
+        if (node.skip <= below + 1u || node.radius * node.radius < nearest) {
+            let cap = seen(towards, min(sqrt(node.area), node.radius));
+            let log = sh$A_cap_log_saturating(cap.sine, cap.cosine);
+            let x = clamp(dot(cap.direction, middle.direction), -1.0, 1.0);
+            var before = 0.0;
+            var now = 1.0;
+            for (var l = 0u; l < $Au; l += 1u) {
+                sum[l] += log[l] * now;
+                let next = (f32(2u * l + 1u) * x * now - f32(l) * before) / f32(l + 1u);
+                before = now;
+                now = next;
+            }
+            below = max(node.skip, below + 1u);
+        } else {
+            below += 1u;
+        }
+    }
+    let log = sh$A_cap_log_saturating(middle.sine, middle.cosine);
+    for (var l = 0u; l < $Au; l += 1u) {
+        sum[l] /= log[l];
+    }
+    return sum;
+}

@@ -1,0 +1,138 @@
+//! What a scene file says of an object.
+
+use crate::error::Error;
+use crate::keys::{Section, Source};
+use crate::scene_file::{FAR, albedo, beside};
+use glam::{EulerRot, Quat, Vec3};
+use sh_scene::motion::{Keys, Place};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use toml::de::DeTable;
+
+/// One of `[[objects]]`.
+pub(crate) struct ObjectEntry {
+    pub(crate) mesh: PathBuf,
+    pub(crate) spheres: usize,
+    pub(crate) place: Place,
+    pub(crate) albedo: Option<[f32; 3]>,
+    pub(crate) clip: Option<ClipName>,
+    pub(crate) keys: Option<Keys>,
+}
+
+/// A clip, by name or number, and the line that asks for it.
+pub(crate) struct ClipName {
+    pub(crate) name: String,
+    pub(crate) line: usize,
+}
+
+/// Spheres for an object that does not say how many.
+const SPHERES: usize = 64;
+
+impl ObjectEntry {
+    /// A mesh of which nothing else is said.
+    pub(crate) fn of_mesh(path: &Path) -> Self {
+        Self {
+            mesh: path.to_path_buf(),
+            spheres: SPHERES,
+            place: REST,
+            albedo: None,
+            clip: None,
+            keys: None,
+        }
+    }
+
+    /// Reads one of `[[objects]]`.
+    pub(crate) fn read<'a>(
+        source: Source<'a>,
+        span: Range<usize>,
+        table: &'a DeTable<'a>,
+    ) -> Result<Self, Error> {
+        let known = [
+            "mesh",
+            "spheres",
+            "translate",
+            "rotate",
+            "scale",
+            "albedo",
+            "clip",
+            "keys",
+            "repeat",
+        ];
+        let s = Section::new(source, "objects", span, table, &known)?;
+        let Some(mesh) = s.string("mesh")? else {
+            return Err(s.error("mesh", "is missing: it names the object's mesh file."));
+        };
+        let place = place(&s, REST)?;
+        let clip = s.string_or_count("clip")?.map(|name| ClipName {
+            name,
+            line: s.line("clip"),
+        });
+        Ok(Self {
+            mesh: beside(source.path, mesh),
+            spheres: s.count("spheres", 1..=4096)?.unwrap_or(SPHERES),
+            place,
+            albedo: albedo(&s)?,
+            clip,
+            keys: keys(&s, place)?,
+        })
+    }
+}
+
+/// Where an object stands that does not say.
+const REST: Place = Place {
+    translation: Vec3::ZERO,
+    rotation: Quat::IDENTITY,
+    scale: 1.0,
+};
+
+/// A place; what the section does not say is as in `rest`.
+fn place(s: &Section, rest: Place) -> Result<Place, Error> {
+    let translation = s.triple("translate", "of metres", false, |n| n.abs() < FAR)?;
+    let rotation = s.triple("rotate", "of degrees", false, |n| n.abs() < FAR)?;
+    let scale = s.number("scale", "above 0 and below 1e9", |n| n > 1e-9 && n < FAR)?;
+    let rotation = rotation.map(|degrees| {
+        let [x, y, z] = degrees.map(f32::to_radians);
+        // About x first, so z is the outermost.
+        Quat::from_euler(EulerRot::ZYX, z, y, x)
+    });
+    Ok(Place {
+        translation: translation.map_or(rest.translation, Vec3::from),
+        rotation: rotation.unwrap_or(rest.rotation),
+        scale: scale.unwrap_or(rest.scale),
+    })
+}
+
+/// Places over time; what a key does not say is as the object's own place.
+fn keys(s: &Section, rest: Place) -> Result<Option<Keys>, Error> {
+    let repeat = s.boolean("repeat")?;
+    let Some(entries) = s.sections(
+        "keys",
+        "objects.keys",
+        &["time", "translate", "rotate", "scale"],
+    )?
+    else {
+        return match repeat {
+            None => Ok(None),
+            Some(_) => Err(s.error("repeat", "says whether keys repeat, but there are no keys.")),
+        };
+    };
+    let mut keys = Vec::with_capacity(entries.len());
+    for entry in &entries {
+        let time = entry.number("time", "of seconds, not below 0", |n| {
+            (0.0..FAR).contains(&n)
+        })?;
+        let Some(time) = time else {
+            return Err(entry.error("time", "is missing: it is the key's time in seconds."));
+        };
+        if let Some((last, _)) = keys.last().filter(|(last, _)| *last >= time) {
+            let message = format!(
+                "is {time}, but keys come in the order of time, and one before is at {last}."
+            );
+            return Err(entry.error("time", message));
+        }
+        keys.push((time, place(entry, rest)?));
+    }
+    Keys::new(keys, repeat.unwrap_or(false))
+        .map(Some)
+        .map_err(|e| s.error("keys", format!("cannot be followed: {e}.")))
+}

@@ -1,0 +1,176 @@
+//! The cut pass: which blockers a cluster of receivers needs, and how much each of them weighs.
+//!
+//! A node of the cut that is no leaf stands for all leaves below it, with a ratio vector that makes it weigh as much
+//! as they do, seen from the middle p* of the cluster (Ren et al. 2006, section 6.3). A group of leaves that is smaller
+//! than θ_min counts as one cap of their joint cross-section, to which its log visibility is in proportion.
+
+use crate::Path;
+use crate::accumulate::Blockers;
+use crate::drive::MAX_ORDER;
+use crate::ratio::{Detail, Ratios};
+use glam::Vec3;
+use rayon::prelude::*;
+use sh_scene::{Blocker, Bounds, Forest, Limits, Node, Receiver, Side, Sphere};
+use std::ops::Range;
+
+/// The blockers of each cluster of receivers. Their memory is kept from frame to frame.
+#[derive(Clone, Debug, Default)]
+pub struct Cuts {
+    cuts: Vec<Cut>,
+}
+
+/// The blockers of one cluster.
+#[derive(Clone, Debug, Default)]
+struct Cut {
+    front: Vec<Blocker>,
+    across: Vec<Blocker>,
+    receivers: usize,
+    ratios: Ratios,
+    /// None where nothing is covered.
+    bounds: Option<Bounds>,
+}
+
+/// How a cut is found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CutOptions {
+    /// How coarse it may be.
+    pub limits: Limits,
+    /// Whether nodes that are no leaves get ratio vectors. Without them they count as they are, larger than what they
+    /// stand for, and clusters that differ in their cuts differ in their shadows: for comparison only.
+    pub ratios: bool,
+    /// The order of accumulation, 2 to 6.
+    pub accumulation: usize,
+}
+
+impl Cuts {
+    /// Measures clusters, which are ranges of `receivers`: where they are and which way they face. `which` of them: all
+    /// at first, and then those whose receivers have moved.
+    ///
+    /// # Panics
+    /// If a range does not lie within the receivers, or `which` within the clusters.
+    pub fn bound(
+        &mut self,
+        receivers: &[Receiver],
+        clusters: &[Range<usize>],
+        which: Range<usize>,
+    ) {
+        self.cuts.resize_with(clusters.len(), Cut::default);
+        self.cuts[which.clone()]
+            .par_iter_mut()
+            .zip(&clusters[which])
+            .for_each(|(cut, range)| {
+                let receivers = &receivers[range.clone()];
+                cut.bounds = Bounds::of(receivers);
+                cut.receivers = receivers.iter().filter(|r| r.covered != 0).count();
+            });
+    }
+
+    /// Finds the blockers of every cluster that has been measured. Clusters are spread over the threads of the current
+    /// rayon pool.
+    ///
+    /// # Panics
+    /// If the order of accumulation is not 2 to 6.
+    pub fn find(&mut self, path: Path, forest: &Forest, options: CutOptions) {
+        assert!(
+            (2..=MAX_ORDER).contains(&options.accumulation),
+            "orders are 2 to 6"
+        );
+        self.cuts
+            .par_iter_mut()
+            .for_each(|cut| cut.find(path, forest, options));
+    }
+
+    /// One cluster of so many receivers, with every sphere as a blocker that each receiver looks at itself.
+    pub fn everything(spheres: &[Sphere], receivers: usize) -> Self {
+        let cut = Cut {
+            front: Vec::new(),
+            across: spheres.iter().copied().map(Blocker::new).collect(),
+            receivers,
+            ..Cut::default()
+        };
+        Self { cuts: vec![cut] }
+    }
+
+    /// The blockers of a cluster.
+    pub fn of(&self, cluster: usize) -> Blockers<'_> {
+        let cut = &self.cuts[cluster];
+        Blockers {
+            front: &cut.front,
+            across: &cut.across,
+        }
+    }
+
+    /// How many clusters there are.
+    pub fn clusters(&self) -> usize {
+        self.cuts.len()
+    }
+
+    /// How many receivers there are in all clusters together.
+    pub fn receivers(&self) -> usize {
+        self.cuts.iter().map(|cut| cut.receivers).sum()
+    }
+
+    /// How many pairs of a receiver and a blocker there are in all clusters together.
+    pub fn pairs(&self) -> usize {
+        let of = |cut: &Cut| (cut.front.len() + cut.across.len()) * cut.receivers;
+        self.cuts.iter().map(of).sum()
+    }
+}
+
+impl Cut {
+    fn find(&mut self, path: Path, forest: &Forest, options: CutOptions) {
+        let Self {
+            front,
+            across,
+            ratios,
+            bounds,
+            ..
+        } = self;
+        front.clear();
+        across.clear();
+        ratios.clear();
+        let Some(bounds) = bounds else {
+            return;
+        };
+        let nodes = forest.nodes();
+        let limits = options.limits;
+        forest.cut(bounds.center, bounds.radius, limits, |at| {
+            let node = &nodes[at];
+            let side = bounds.side(node.center.into(), node.radius);
+            let (list, in_front) = match side {
+                Side::Behind => return,
+                Side::Front => (&mut *front, true),
+                Side::Across => (&mut *across, false),
+            };
+            if !node.is_leaf(at) && options.ratios {
+                ratios.start(bounds.center, node, in_front, list.len());
+                details(bounds.center, nodes, at, limits.sin_min, ratios);
+            }
+            list.push(Blocker::new(Sphere {
+                center: node.center,
+                radius: node.radius,
+            }));
+        });
+        ratios.find(path, options.accumulation, front, across);
+    }
+}
+
+/// What is summed up for the node at `at`: leaves, and groups of them that are small.
+fn details(from: Vec3, nodes: &[Node], at: usize, sin_min: f32, ratios: &mut Ratios) {
+    let end = nodes[at].skip as usize;
+    let mut at = at + 1;
+    while at < end {
+        let node = &nodes[at];
+        let towards = Vec3::from(node.center) - from;
+        let small = node.radius * node.radius < sin_min * sin_min * towards.length_squared();
+        if small || node.is_leaf(at) {
+            ratios.add(Detail {
+                towards: towards.into(),
+                radius: node.area.sqrt().min(node.radius),
+            });
+            at = node.skip as usize;
+        } else {
+            at += 1;
+        }
+    }
+}

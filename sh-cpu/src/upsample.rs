@@ -1,0 +1,164 @@
+//! The upsample pass: light at half resolution to samples, by a joint bilateral filter, and which samples have to be
+//! shaded by themselves. The rule and its constants are those of [`sh_scene::upsample`].
+
+use crate::Error;
+use crate::gbuffer::Gbuffer;
+use crate::resolve::check_length;
+use glam::Vec3A;
+use rayon::prelude::*;
+use sh_scene::upsample::{CORNER, MAX_SPREAD, MIN_WEIGHT, NORMAL_FROM, footprint};
+use sh_scene::{Receiver, Tiles, View};
+use std::ops::Range;
+
+/// What is known at half resolution: of the whole grid [`View::halves`], in the order of its tiles.
+#[derive(Clone, Debug, Default)]
+pub struct Halves {
+    /// What the grid's rays see.
+    pub receivers: Vec<Receiver>,
+    /// The share of its light that each receiver gets through the blockers, in three channels.
+    pub shares: Vec<[f32; 3]>,
+}
+
+impl Halves {
+    /// From the radiance with and without blockers; 1 where there is no light.
+    ///
+    /// # Errors
+    /// Where there is not one of each for a receiver.
+    pub fn new(
+        receivers: Vec<Receiver>,
+        shadowed: &[[f32; 3]],
+        open: &[[f32; 3]],
+    ) -> Result<Self, Error> {
+        check_length("shadowed", receivers.len(), shadowed.len())?;
+        check_length("open", receivers.len(), open.len())?;
+        let share = |(shadowed, open): (&[f32; 3], &[f32; 3])| {
+            std::array::from_fn(|c| match open[c] {
+                open if open > 0.0 => shadowed[c] / open,
+                _ => 1.0,
+            })
+        };
+        let shares = shadowed.iter().zip(open).map(share).collect();
+        Ok(Self { receivers, shares })
+    }
+}
+
+/// Samples that half resolution does not do for. Their memory is kept from band to band.
+#[derive(Clone, Debug, Default)]
+pub struct Failed {
+    /// Which samples, tile by tile.
+    pub indices: Vec<u32>,
+    /// The samples.
+    pub receivers: Vec<Receiver>,
+    /// Those of each tile that has any.
+    pub clusters: Vec<Range<usize>>,
+    flags: Vec<bool>,
+}
+
+/// Takes the radiance of samples from that without blockers to that with them: `rows` of tiles of `view`'s samples.
+/// `radiance` comes as [`crate::irradiance`] makes it; what half resolution does not do for is left as it is and
+/// gathered in `failed`.
+///
+/// # Errors
+/// Where lengths do not fit; nothing is written then.
+pub fn upsample(
+    view: &View,
+    halves: &Halves,
+    rows: Range<u32>,
+    samples: &Gbuffer,
+    radiance: &mut [[f32; 3]],
+    failed: &mut Failed,
+) -> Result<(), Error> {
+    let (grid, fine) = (view.halves(), view.samples());
+    let (tiles, across) = (grid.tiles(), fine.tiles().columns as usize);
+    let count = across * rows.len() * Tiles::AREA;
+    check_length("halves.receivers", tiles.len(), halves.receivers.len())?;
+    check_length("halves.shares", tiles.len(), halves.shares.len())?;
+    check_length("samples.receivers", count, samples.receivers.len())?;
+    check_length("radiance", count, radiance.len())?;
+    failed.flags.clear();
+    failed.flags.resize(count, false);
+
+    let eye = Vec3A::from(view.camera.eye);
+    let cell = footprint(view);
+    let steps = grid.spacing / fine.spacing;
+    let four = |x: u32, y: u32, sample: &Receiver| {
+        let place = |i: u32| (i as f32 + 0.5) / steps - 0.5;
+        let (hx, hy) = (place(x), place(y));
+        let (left, top) = (hx.floor(), hy.floor());
+        let mut sum = Vec3A::ZERO;
+        let (mut total, mut low, mut high) = (0.0, Vec3A::INFINITY, Vec3A::NEG_INFINITY);
+        for corner in 0..4 {
+            let (i, j) = (left + (corner % 2) as f32, top + (corner / 2) as f32);
+            if i < 0.0 || j < 0.0 || i >= grid.columns as f32 || j >= grid.rows as f32 {
+                continue;
+            }
+            let at = tiles.index(i as u32, j as u32);
+            let weight = (1.0 - (hx - i).abs()) * (1.0 - (hy - j).abs());
+            let weight = weight * alike(sample, &halves.receivers[at], eye, cell);
+            let share = Vec3A::from(halves.shares[at]);
+            sum += weight * share;
+            total += weight;
+            if weight > CORNER {
+                low = low.min(share);
+                high = high.max(share);
+            }
+        }
+        let spread = (high - low).max_element();
+        (total >= MIN_WEIGHT && spread <= MAX_SPREAD).then(|| sum / total)
+    };
+    radiance
+        .par_chunks_mut(Tiles::AREA)
+        .zip(failed.flags.par_chunks_mut(Tiles::AREA))
+        .zip(samples.receivers.par_chunks(Tiles::AREA))
+        .enumerate()
+        .for_each(|(tile, ((radiance, flags), samples))| {
+            let side = Tiles::SIDE;
+            let left = (tile % across) as u32 * side;
+            let top = (rows.start + (tile / across) as u32) * side;
+            for (i, sample) in samples.iter().enumerate() {
+                if sample.covered == 0 {
+                    continue;
+                }
+                let (x, y) = (left + i as u32 % side, top + i as u32 / side);
+                match four(x, y, sample) {
+                    Some(share) => radiance[i] = (Vec3A::from(radiance[i]) * share).into(),
+                    None => flags[i] = true,
+                }
+            }
+        });
+    failed.gather(samples);
+    Ok(())
+}
+
+impl Failed {
+    fn gather(&mut self, samples: &Gbuffer) {
+        self.indices.clear();
+        self.receivers.clear();
+        self.clusters.clear();
+        for (tile, flags) in self.flags.chunks(Tiles::AREA).enumerate() {
+            let first = self.indices.len();
+            for (i, _) in flags.iter().enumerate().filter(|(_, failed)| **failed) {
+                let index = tile * Tiles::AREA + i;
+                self.indices.push(index as u32);
+                self.receivers.push(samples.receivers[index]);
+            }
+            if self.indices.len() > first {
+                self.clusters.push(first..self.indices.len());
+            }
+        }
+    }
+}
+
+/// How much the light of a receiver tells of that of a sample, 0 to 1.
+fn alike(sample: &Receiver, receiver: &Receiver, eye: Vec3A, cell: f32) -> f32 {
+    if receiver.covered == 0 {
+        return 0.0;
+    }
+    let (p, n) = (Vec3A::from(sample.position), Vec3A::from(sample.normal));
+    let (q, m) = (Vec3A::from(receiver.position), Vec3A::from(receiver.normal));
+    let apart = q - p;
+    let height = apart.dot(n).abs().max(apart.dot(m).abs());
+    let part = height / (p.distance(eye) * cell);
+    let facing = ((n.dot(m) - NORMAL_FROM) / (1.0 - NORMAL_FROM)).clamp(0.0, 1.0);
+    (1.0 - part * part).max(0.0) * facing
+}

@@ -1,0 +1,187 @@
+//! The passes of a plan, made and bound to the buffers of a frame.
+
+use crate::buffers::Buffers;
+use crate::{
+    Bands, Bound, Error, GbufferPass, IrradiancePass, ResolvePass, ShadowOptions, ShadowPass,
+    UpsampleBound, UpsamplePass,
+};
+use sh_scene::{Pass, PassKind, Plan, Resolution, Scene};
+use wgpu::{BufferBinding, Device, Queue};
+
+/// One pass of the plan, with what it binds for every band.
+#[derive(Debug)]
+pub(crate) struct Stage {
+    pub kind: PassKind,
+    /// Whether its bands are those of half resolution.
+    pub half: bool,
+    pub work: Work,
+}
+
+#[derive(Debug)]
+pub(crate) enum Work {
+    Gbuffer {
+        pass: GbufferPass,
+        bound: Vec<Bound>,
+    },
+    Irradiance {
+        pass: IrradiancePass,
+        bound: Vec<Bound>,
+    },
+    Shadow {
+        bound: Vec<Bound>,
+    },
+    Upsample {
+        pass: UpsamplePass,
+        /// For each band at half resolution.
+        shares: Vec<Bound>,
+        bound: Vec<UpsampleBound>,
+    },
+    Resolve {
+        pass: ResolvePass,
+        bound: Vec<Bound>,
+    },
+}
+
+/// What stages are made from.
+pub(crate) struct Setup<'a> {
+    pub device: &'a Device,
+    pub queue: &'a Queue,
+    pub scene: &'a Scene,
+    pub bands: &'a Bands,
+    pub halves: Option<&'a Bands>,
+    pub shadow: Option<&'a ShadowPass>,
+    pub buffers: &'a Buffers,
+}
+
+/// Whether a pass works at half resolution.
+pub(crate) fn is_half(pass: &Pass) -> bool {
+    pass.at == Resolution::Halves
+}
+
+/// The shadow pass that all passes of the plan share, if any needs one.
+pub(crate) fn shadow_pass(
+    device: &Device,
+    scene: &Scene,
+    plan: &Plan,
+) -> Result<Option<ShadowPass>, Error> {
+    if !plan.has(PassKind::Shadow) && !plan.has(PassKind::Upsample) {
+        return Ok(None);
+    }
+    let blockers: usize = scene.objects.iter().map(|o| o.spheres.len()).sum();
+    let options = ShadowOptions {
+        order: scene.settings.order,
+        accumulation: scene.settings.accumulation,
+        max_blockers: u32::try_from(blockers).unwrap_or(u32::MAX),
+        max_emitters: emitters(scene),
+    };
+    ShadowPass::new(device, options).map(Some)
+}
+
+fn emitters(scene: &Scene) -> u32 {
+    u32::try_from(scene.lights.len()).unwrap_or(u32::MAX)
+}
+
+impl Setup<'_> {
+    /// One pass of the plan.
+    pub fn stage(&self, pass: &Pass) -> Result<Stage, Error> {
+        Ok(Stage {
+            kind: pass.kind,
+            half: is_half(pass),
+            work: self.work(pass)?,
+        })
+    }
+
+    fn work(&self, pass: &Pass) -> Result<Work, Error> {
+        let &Self { device, queue, .. } = self;
+        Ok(match pass.kind {
+            PassKind::Gbuffer => {
+                let raster = GbufferPass::new(device, self.bands_of(pass)?)?;
+                let bound = self.each(pass, |[receivers, albedo, _]| {
+                    raster.bind(device, receivers, albedo)
+                })?;
+                Work::Gbuffer {
+                    pass: raster,
+                    bound,
+                }
+            }
+            PassKind::Irradiance => {
+                let order = self.scene.settings.order;
+                let light = IrradiancePass::new(device, order, emitters(self.scene))?;
+                let bound = self.each(pass, |[receivers, _, radiance]| {
+                    light.bind(device, receivers, radiance)
+                })?;
+                Work::Irradiance { pass: light, bound }
+            }
+            PassKind::Shadow => {
+                let shadow = self.shadow()?;
+                let bound = self.each(pass, |[receivers, _, radiance]| {
+                    shadow.bind(device, receivers, radiance)
+                })?;
+                Work::Shadow { bound }
+            }
+            PassKind::Upsample => self.upsample()?,
+            PassKind::Resolve => {
+                let (bands, buffers) = (self.bands, self.buffers);
+                let resolve = ResolvePass::new(device, queue, bands, &self.scene.environment)?;
+                let bound = (0..bands.count()).map(|band| {
+                    let [receivers, albedo, radiance] = buffers.samples(bands, band);
+                    let picture = buffers.picture_of(bands, band);
+                    resolve.bind(device, receivers, albedo, radiance, picture)
+                });
+                Work::Resolve {
+                    bound: bound.collect::<Result<_, _>>()?,
+                    pass: resolve,
+                }
+            }
+        })
+    }
+
+    fn upsample(&self) -> Result<Work, Error> {
+        let &Self { device, bands, .. } = self;
+        let (halves, shadow) = (self.halves.ok_or(NO_HALVES)?, self.shadow()?);
+        let pass = UpsamplePass::new(device, self.queue, bands, shadow)?;
+        let shares = (0..halves.count()).map(|band| {
+            let [receivers, _, shares] = self.buffers.half_band(halves, band).ok_or(NO_HALVES)?;
+            pass.bind_shares(device, crate::HalfBinding { receivers, shares })
+        });
+        let shares = shares.collect::<Result<_, Error>>()?;
+        let bound = (0..bands.count()).map(|band| {
+            let under = self.buffers.under(bands, halves, band).ok_or(NO_HALVES)?;
+            let [receivers, _, radiance] = self.buffers.samples(bands, band);
+            pass.bind(device, shadow, under, receivers, radiance)
+        });
+        Ok(Work::Upsample {
+            shares,
+            bound: bound.collect::<Result<_, Error>>()?,
+            pass,
+        })
+    }
+
+    /// Binds receivers, albedo and radiance of every band that a pass works on.
+    fn each(
+        &self,
+        pass: &Pass,
+        bind: impl Fn([BufferBinding<'_>; 3]) -> Result<Bound, Error>,
+    ) -> Result<Vec<Bound>, Error> {
+        let bands = self.bands_of(pass)?;
+        let of = |band| match is_half(pass) {
+            true => self.buffers.half_band(bands, band).ok_or(NO_HALVES),
+            false => Ok(self.buffers.samples(bands, band)),
+        };
+        (0..bands.count()).map(|band| bind(of(band)?)).collect()
+    }
+
+    fn bands_of(&self, pass: &Pass) -> Result<&Bands, Error> {
+        match is_half(pass) {
+            true => self.halves.ok_or(NO_HALVES),
+            false => Ok(self.bands),
+        }
+    }
+
+    fn shadow(&self) -> Result<&ShadowPass, Error> {
+        self.shadow
+            .ok_or(Error::Plan("has no shadow pass for what it shades"))
+    }
+}
+
+const NO_HALVES: Error = Error::Plan("upsamples, but nothing in it works at half resolution");

@@ -1,0 +1,225 @@
+//! The upsample pass: light at half resolution to samples, and what has to be shaded by itself.
+
+use crate::lighting::{Lit, buffer};
+use crate::pipeline::{Kernel, Slot, buffer_entry, shader};
+use crate::records::UpsampleRule;
+use crate::{Bands, Bound, ClusterBinding, Error, ShadowPass};
+use sh_kernels::Pass;
+use sh_scene::{Receiver, Tiles};
+use wgpu::{
+    BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferBindingType, BufferUsages,
+    CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
+};
+
+/// A joint bilateral filter from half resolution to samples ([`sh_scene::upsample`]), with the shadow pass for what it
+/// does not do for, on the host's device and encoder.
+#[derive(Debug)]
+pub struct UpsamplePass {
+    shares: Kernel,
+    upsample: Kernel,
+    scatter: Kernel,
+    group: BindGroup,
+    /// What has to be shaded anew in a band: receivers, their radiance and origins.
+    anew: Buffer,
+    shaded: Buffer,
+    origins: Buffer,
+    clusters: Buffer,
+}
+
+/// One band's buffers, bound to all parts of an [`UpsamplePass`].
+#[derive(Clone, Debug)]
+pub struct UpsampleBound {
+    upsample: Bound,
+    shadow: Bound,
+    scatter: Bound,
+}
+
+/// What an [`UpsamplePass`] reads at half resolution: whole rows of tiles.
+#[derive(Clone, Debug)]
+pub struct HalfBinding<'a> {
+    /// [`Receiver`] records, 32 bytes each.
+    pub receivers: BufferBinding<'a>,
+    /// A `vec4f` each, 16 bytes: radiance from the shadow pass before [`UpsamplePass::record_shares`], and after it the
+    /// share that radiance is of that without blockers.
+    pub shares: BufferBinding<'a>,
+}
+
+impl UpsamplePass {
+    /// Makes the pipelines for the bands of a picture's samples, and sets room aside for what one band has to shade
+    /// anew. Light comes as it was prepared for `shadow`.
+    pub fn new(
+        device: &Device,
+        queue: &Queue,
+        bands: &Bands,
+        shadow: &ShadowPass,
+    ) -> Result<Self, Error> {
+        let module = shader(device, Pass::Upsample, shadow.order())?;
+        let compute = ShaderStages::COMPUTE;
+        let uniform = BufferBindingType::Uniform;
+        let [lighting, emitters] = Lit::layout(1);
+        let own = [
+            buffer_entry(0, compute, uniform, true),
+            lighting,
+            emitters,
+            buffer_entry(3, compute, uniform, false),
+        ];
+        let storage = |binding: u32, read_only| {
+            let ty = BufferBindingType::Storage { read_only };
+            buffer_entry(binding, compute, ty, false)
+        };
+        let kernel = |name, written: &[bool]| {
+            let host: Vec<_> = (0..)
+                .zip(written)
+                .map(|(binding, written)| storage(binding, !written))
+                .collect();
+            Kernel::new(device, &module, name, [&own, &host])
+        };
+        let shares = kernel("shares", &[false, true]);
+        let upsample = kernel("upsample", &[false, false, false, true, true, true, true]);
+        let scatter = kernel("scatter", &[false, false, false, true]);
+        let rule = buffer(
+            device,
+            "gaunt upsample rule",
+            size_of::<UpsampleRule>() as u64,
+            BufferUsages::UNIFORM,
+        );
+        queue.write_buffer(&rule, 0, bytemuck::bytes_of(&UpsampleRule::OURS));
+        let [lighting, emitters] = shadow.lit.entries(1);
+        let entry = |binding, resource| BindGroupEntry { binding, resource };
+        let group = shares.own(
+            device,
+            &[
+                entry(0, bands.binding()),
+                lighting,
+                emitters,
+                entry(3, rule.as_entire_binding()),
+            ],
+        );
+        let room = |label, count: u64, stride: u64| {
+            device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size: count * stride,
+                usage: BufferUsages::STORAGE,
+                mapped_at_creation: false,
+            })
+        };
+        let count = bands.receivers(0);
+        Ok(Self {
+            anew: room("gaunt anew", count, size_of::<Receiver>() as u64),
+            shaded: room("gaunt shaded anew", count, 16),
+            origins: room("gaunt origins", count, 4),
+            clusters: room("gaunt clusters anew", count / Tiles::AREA as u64, 8),
+            shares,
+            upsample,
+            scatter,
+            group,
+        })
+    }
+
+    /// Binds receivers and radiance at half resolution for [`record_shares`](Self::record_shares).
+    pub fn bind_shares(&self, device: &Device, halves: HalfBinding<'_>) -> Result<Bound, Error> {
+        let stride = size_of::<Receiver>() as u64;
+        let receivers = Slot::counting("half_receivers", stride, halves.receivers);
+        let radiance = Slot::with("half_radiance", 16, 1, halves.shares);
+        self.shares.bind(device, &[receivers, radiance])
+    }
+
+    /// Binds a band's samples ([`Receiver`], read, and radiance as `vec4f`, written) and, at half resolution, the tiles
+    /// that lie under it ([`Bands::half_tile_rows`]). `shadow` is the pass that shades anew.
+    pub fn bind(
+        &self,
+        device: &Device,
+        shadow: &ShadowPass,
+        halves: HalfBinding<'_>,
+        receivers: BufferBinding<'_>,
+        radiance: BufferBinding<'_>,
+    ) -> Result<UpsampleBound, Error> {
+        let stride = size_of::<Receiver>() as u64;
+        let counting = Slot::counting("receivers", stride, receivers);
+        let count = self.upsample.elements(&counting)?;
+        let tiles = count.div_ceil(Tiles::AREA as u64);
+        let part = |buffer, size| BufferBinding {
+            buffer,
+            offset: 0,
+            size: wgpu::BufferSize::new(size),
+        };
+        let anew = part(&self.anew, count * stride);
+        let clusters = part(&self.clusters, tiles * 8);
+        let origins = part(&self.origins, count * 4);
+        let shaded = part(&self.shaded, count * 16);
+        let slots = [
+            Slot::with("half_receivers", stride, 0, halves.receivers),
+            Slot::with("half_shares", 16, 0, halves.shares),
+            counting,
+            Slot::with("radiance", 16, 1, radiance.clone()),
+            Slot::with("anew", stride, 1, anew.clone()),
+            Slot::with("clusters", 8, 0, clusters.clone()),
+            Slot::with("origins", 4, 1, origins.clone()),
+        ];
+        let upsample = self.upsample.bind_groups(device, &slots, tiles, 1)?;
+        let largest = Tiles::AREA as u32;
+        let all = ClusterBinding {
+            clusters: clusters.clone(),
+            largest,
+        };
+        let shadow = shadow.bind_clusters(device, anew, all, shaded.clone())?;
+        let slots = [
+            Slot::with("clusters", 8, 0, clusters),
+            Slot::with("origins", 4, 0, origins),
+            Slot::with("shaded", 16, 0, shaded),
+            Slot::counting("radiance", 16, radiance),
+        ];
+        let scatter = self.scatter.bind_groups(device, &slots, tiles, 1)?;
+        Ok(UpsampleBound {
+            upsample,
+            shadow,
+            scatter,
+        })
+    }
+
+    /// Records one compute pass that turns radiance at half resolution into shares. Once a frame.
+    pub fn record_shares(
+        &self,
+        encoder: &mut CommandEncoder,
+        bound: &Bound,
+        timestamps: Option<ComputePassTimestampWrites<'_>>,
+    ) {
+        self.shares
+            .record(encoder, (&self.group, &[0]), bound, timestamps);
+    }
+
+    /// Records three compute passes that write the radiance of one band's samples.
+    pub fn record(
+        &self,
+        encoder: &mut CommandEncoder,
+        bands: &Bands,
+        band: u32,
+        shadow: &ShadowPass,
+        bound: &UpsampleBound,
+        timestamps: Option<ComputePassTimestampWrites<'_>>,
+    ) {
+        let [begin, end] = first_and_last(timestamps);
+        let own = (&self.group, &[bands.offset(band)][..]);
+        self.upsample.record(encoder, own, &bound.upsample, begin);
+        shadow.record(encoder, &bound.shadow, None);
+        self.scatter.record(encoder, own, &bound.scatter, end);
+    }
+}
+
+/// The timestamps of a first and of a last pass.
+pub(crate) fn first_and_last(
+    timestamps: Option<ComputePassTimestampWrites<'_>>,
+) -> [Option<ComputePassTimestampWrites<'_>>; 2] {
+    let Some(both) = timestamps else {
+        return [None, None];
+    };
+    let begin = ComputePassTimestampWrites {
+        end_of_pass_write_index: None,
+        ..both.clone()
+    };
+    let end = ComputePassTimestampWrites {
+        beginning_of_pass_write_index: None,
+        ..both
+    };
+    [Some(begin), Some(end)]
+}

@@ -1,0 +1,318 @@
+//! The tree of all blocker spheres.
+
+use super::build::{Part, raise};
+use super::{Blocker, Limits};
+use crate::Sphere;
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+
+/// A node of the tree: 32 bytes, as `struct Node { center: vec3f, radius: f32, area: f32, parent: u32, skip: u32,
+/// sphere: u32 }` in WGSL.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Node {
+    /// Centre of a ball that holds all leaves below, in metres.
+    pub center: [f32; 3],
+    /// Its radius.
+    pub radius: f32,
+    /// The sum of the squared radii of all leaves below: their joint cross-section over π.
+    pub area: f32,
+    /// Index of the node above; the root has its own.
+    pub parent: u32,
+    /// Index of the first node that is not below this one. The next one: this is a leaf.
+    pub skip: u32,
+    /// Which sphere of the scene a leaf is; `u32::MAX` for others.
+    pub sphere: u32,
+}
+
+impl Node {
+    /// Whether the node of index `at` has nothing below it.
+    pub fn is_leaf(&self, at: usize) -> bool {
+        self.skip as usize == at + 1
+    }
+}
+
+/// All blocker spheres of a scene in one tree, average branching 4: a tree for each object, and above them a tree of
+/// objects.
+///
+/// ```text
+/// nodes   | root | object 0 | a | leaf | leaf | b | leaf | object 1 …    parents before children, depth first
+/// ```
+/// Whatever lies below a node follows it directly, up to its `skip`. The topology stays as it was built; bounds are
+/// renewed from below by [`Forest::update`] when spheres have moved (their memory is reused).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Forest {
+    nodes: Vec<Node>,
+    spheres: usize,
+}
+
+impl Forest {
+    /// Builds the tree. `spheres` are those of all objects, one object after another, in world space;
+    /// `counts` says how many each object has.
+    ///
+    /// The time grows in proportion to the number of spheres.
+    ///
+    /// # Panics
+    /// If the counts do not add up to the number of spheres.
+    ///
+    /// ```
+    /// use sh_scene::{Forest, Limits, Sphere};
+    /// let row: Vec<_> = (0..9).map(|i| Sphere { center: [i as f32, 0.0, 0.0], radius: 0.5 }).collect();
+    /// let forest = Forest::new(&row, &[9]);
+    /// assert_eq!(forest.nodes()[0].skip as usize, forest.nodes().len());
+    /// assert!(forest.nodes()[0].radius >= 4.5);
+    /// ```
+    pub fn new(spheres: &[Sphere], counts: &[usize]) -> Self {
+        let total: usize = counts.iter().sum();
+        assert_eq!(total, spheres.len(), "spheres of all objects together");
+        let mut roots = Vec::new();
+        let mut first = 0;
+        for &count in counts {
+            let leaves = (first..first + count)
+                .map(|i| Part {
+                    ball: spheres[i],
+                    leaf: Some(i as u32),
+                    children: Vec::new(),
+                })
+                .collect();
+            roots.extend(raise(leaves));
+            first += count;
+        }
+        let mut nodes = Vec::new();
+        if let Some(root) = raise(roots) {
+            lay(&root, 0, &mut nodes);
+        }
+        let mut forest = Self {
+            nodes,
+            spheres: total,
+        };
+        forest.update(spheres);
+        forest
+    }
+
+    /// Moves the leaves to where the spheres are now, and renews the bounds of all other nodes from below by merging
+    /// child after child (Ren et al. 2006, section 6.3).
+    ///
+    /// # Panics
+    /// If there are not as many spheres as the tree was built from.
+    pub fn update(&mut self, spheres: &[Sphere]) {
+        assert_eq!(spheres.len(), self.spheres, "spheres of the tree");
+        for at in (0..self.nodes.len()).rev() {
+            let skip = self.nodes[at].skip as usize;
+            let (ball, area) = if skip == at + 1 {
+                let sphere = spheres[self.nodes[at].sphere as usize];
+                (sphere, sphere.radius * sphere.radius)
+            } else {
+                let mut child = at + 1;
+                let (mut ball, mut area) = (self.nodes[child].ball(), 0.0);
+                while child < skip {
+                    ball = enclosing(ball, self.nodes[child].ball());
+                    area += self.nodes[child].area;
+                    child = self.nodes[child].skip as usize;
+                }
+                (ball, area)
+            };
+            let node = &mut self.nodes[at];
+            (node.center, node.radius, node.area) = (ball.center, ball.radius, area);
+        }
+    }
+
+    /// All nodes: the root first, each before those below it.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// How many leaves there are.
+    pub fn spheres(&self) -> usize {
+        self.spheres
+    }
+
+    /// Calls `take` with the index of every node of the cut for receivers within `radius` of `center`: the first on
+    /// each way down from the root that is a leaf, or passes
+    ///
+    /// ```text
+    /// r < sin θ_max (|P − center| − radius)       Ren et al. 2006, equation 36
+    /// ```
+    pub fn cut(&self, center: Vec3, radius: f32, limits: Limits, mut take: impl FnMut(usize)) {
+        let mut at = 0;
+        while let Some(node) = self.nodes.get(at) {
+            let distance = Vec3::from(node.center).distance(center) - radius;
+            if node.is_leaf(at) || node.radius < limits.sin_max * distance {
+                take(at);
+                at = node.skip as usize;
+            } else {
+                at += 1;
+            }
+        }
+    }
+
+    /// Every sphere as a blocker that stands for itself: the cut without a hierarchy.
+    pub fn leaves(&self) -> impl Iterator<Item = Blocker> {
+        let leaves = self.nodes.iter().enumerate();
+        leaves
+            .filter(|(at, node)| node.is_leaf(*at))
+            .map(|(_, node)| Blocker::new(node.ball()))
+    }
+}
+
+impl Node {
+    pub(super) fn ball(&self) -> Sphere {
+        Sphere {
+            center: self.center,
+            radius: self.radius,
+        }
+    }
+}
+
+/// Writes a part and all below it, depth first.
+fn lay(part: &Part, parent: u32, nodes: &mut Vec<Node>) {
+    let at = nodes.len();
+    nodes.push(Node {
+        center: part.ball.center,
+        radius: part.ball.radius,
+        area: 0.0,
+        parent,
+        skip: 0,
+        sphere: part.leaf.unwrap_or(u32::MAX),
+    });
+    for child in &part.children {
+        lay(child, at as u32, nodes);
+    }
+    nodes[at].skip = nodes.len() as u32;
+}
+
+/// The smallest ball around two, a little larger than that so that rounding leaves both within.
+pub(super) fn enclosing(a: Sphere, b: Sphere) -> Sphere {
+    /// Some units in the last place of every number that went into the radius.
+    const SLACK: f32 = 4e-7;
+    let (from, to) = (Vec3::from(a.center), Vec3::from(b.center));
+    let distance = from.distance(to);
+    if distance + b.radius <= a.radius {
+        return a;
+    }
+    if distance + a.radius <= b.radius {
+        return b;
+    }
+    let radius = (distance + a.radius + b.radius) * 0.5;
+    let center = from + (to - from) * ((radius - a.radius) / distance.max(f32::MIN_POSITIVE));
+    let reach = center.abs().max_element() + radius;
+    Sphere {
+        center: center.into(),
+        radius: radius + SLACK * reach,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Spheres here and there, the same in every run.
+    fn scattered(count: usize) -> Vec<Sphere> {
+        (0..count)
+            .map(|i| {
+                let t = i as f32;
+                Sphere {
+                    center: [
+                        7.0 * (1.3 * t).sin(),
+                        (2.1 * t).cos() * 2.0,
+                        9.0 * (0.7 * t).sin(),
+                    ],
+                    radius: 0.05 + 0.3 * (0.9 * t).sin().abs(),
+                }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn every_ball_holds_those_below_it_and_still_does_after_moving() {
+        for count in [1, 2, 3, 4, 5, 17, 100, 3000] {
+            let mut spheres = scattered(count);
+            let mut forest = Forest::new(&spheres, &[count / 3, count - count / 3]);
+            for step in 0..3 {
+                let mut found = vec![0; count];
+                for (at, node) in forest.nodes().iter().enumerate() {
+                    let parent = &forest.nodes()[node.parent as usize];
+                    assert!(node.parent as usize <= at && at < parent.skip as usize);
+                    let distance = Vec3::from(node.center).distance(parent.center.into());
+                    assert!(distance + node.radius <= parent.radius * (1.0 + 1e-6) + 1e-6);
+                    if node.is_leaf(at) {
+                        found[node.sphere as usize] += 1;
+                        assert_eq!(node.ball(), spheres[node.sphere as usize]);
+                    }
+                }
+                assert!(found.iter().all(|&n| n == 1));
+                let area: f32 = spheres.iter().map(|s| s.radius * s.radius).sum();
+                assert!((forest.nodes()[0].area / area - 1.0).abs() < 1e-4);
+                for (i, sphere) in spheres.iter_mut().enumerate() {
+                    sphere.center[step] += (i as f32).sin();
+                }
+                forest.update(&spheres);
+            }
+        }
+    }
+
+    #[test]
+    fn branching_is_about_four() {
+        let spheres = scattered(4000);
+        let forest = Forest::new(&spheres, &[4000]);
+        let inner = forest.nodes().len() - 4000;
+        let branching = (forest.nodes().len() - 1) as f32 / inner as f32;
+        assert!((3.5..4.5).contains(&branching), "{branching}");
+    }
+
+    #[test]
+    fn a_cut_holds_every_leaf_once_and_grows_towards_the_receivers() {
+        let spheres = scattered(500);
+        let forest = Forest::new(&spheres, &[200, 300]);
+        let cut = |center: Vec3, limits: Limits| {
+            let mut nodes = Vec::new();
+            forest.cut(center, 0.5, limits, |at| nodes.push(at));
+            let held: usize = nodes
+                .iter()
+                .map(|&at| {
+                    (at..forest.nodes()[at].skip as usize)
+                        .filter(|&i| forest.nodes()[i].is_leaf(i))
+                        .count()
+                })
+                .sum();
+            assert_eq!(held, 500);
+            nodes.len()
+        };
+        let limits = Limits::default();
+        let counts = [0.0, 10.0, 30.0, 1000.0].map(|x| cut(Vec3::new(x, 0.0, 0.0), limits));
+        assert!(counts.is_sorted_by(|a, b| a > b), "{counts:?}");
+        assert_eq!(counts[3], 1);
+        assert_eq!(cut(Vec3::ZERO, Limits::LEAVES), 500);
+    }
+
+    /// What lets a shader decide node by node, without walking the tree: a node is in the cut if it passes and its
+    /// parent does not.
+    #[test]
+    fn whatever_is_below_a_node_that_passes_passes_as_well() {
+        let spheres = scattered(2000);
+        let forest = Forest::new(&spheres, &[2000]);
+        let sine = Limits::default().sin_max;
+        for i in 0..50 {
+            let t = i as f32;
+            let center = Vec3::new(
+                12.0 * t.sin(),
+                5.0 * (1.7 * t).cos(),
+                14.0 * (0.6 * t).sin(),
+            );
+            let passes =
+                |node: &Node| node.radius < sine * (Vec3::from(node.center).distance(center) - 0.3);
+            for node in forest.nodes() {
+                let parent = &forest.nodes()[node.parent as usize];
+                assert!(!passes(parent) || passes(node));
+            }
+        }
+    }
+
+    #[test]
+    fn no_spheres_are_no_tree() {
+        let mut forest = Forest::new(&[], &[0, 0]);
+        forest.update(&[]);
+        forest.cut(Vec3::ZERO, 1.0, Limits::default(), |_| panic!("a node"));
+        assert_eq!(forest.leaves().count(), 0);
+    }
+}
