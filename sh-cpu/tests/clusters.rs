@@ -2,10 +2,10 @@
 
 mod common;
 
-use common::{Random, receiver};
+use common::{Random, light_of, receiver};
 use glam::{Vec3, vec3};
 use sh_cpu::{CutOptions, Cuts, Path, Shadow, bake, shadow_clusters};
-use sh_scene::{Clusters, EnvironmentMap, Forest, Light, Limits, Receiver, Sphere};
+use sh_scene::{Clusters, Forest, Light, Limits, Receiver, Sphere};
 use std::ops::Range;
 
 /// A floor of `side` by `side` receivers, 12 m wide, and bodies over it: swarms of small spheres.
@@ -35,21 +35,10 @@ fn scene(side: usize) -> (Vec<Receiver>, Vec<Sphere>, Vec<usize>) {
 }
 
 fn sky(order: usize) -> Light {
-    let (width, height) = (32, 16);
-    let pixels = (0..width * height)
-        .map(|i| {
-            let (u, v) = ((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
-            let d = EnvironmentMap::direction(u / width as f32, v / height as f32);
-            let sun = 12.0 * (5.0 * (d.dot(vec3(0.6, 0.8, 0.0)) - 1.0)).exp();
-            [0.4 + sun; 3]
-        })
-        .collect();
-    let map = EnvironmentMap {
-        width,
-        height,
-        pixels,
-    };
-    Light::project(&map, None, order, 2.0 * order as f32).unwrap()
+    light_of(order, |d| {
+        let sun = 12.0 * (5.0 * (d.dot(vec3(0.6, 0.8, 0.0)) - 1.0)).exp();
+        [0.4 + sun; 3]
+    })
 }
 
 fn options(limits: Limits, ratios: bool) -> CutOptions {

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Random, receiver};
+use common::{Random, light_of, receiver};
 use glam::{Vec3, vec3};
 use sh_core::{Lane, Routines};
 use sh_cpu::{Blockers, Error, Outline, OutlineAll, Path, irradiance, shade, shadow, shadow_on};
@@ -10,21 +10,10 @@ use sh_scene::{Blocker, EnvironmentMap, Light, Receiver, Sphere};
 
 /// A sky that is bright towards +X and blue below, of some order.
 fn light(order: usize) -> Light {
-    let (width, height) = (32, 16);
-    let pixels = (0..width * height)
-        .map(|i| {
-            let (u, v) = ((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
-            let d = EnvironmentMap::direction(u / width as f32, v / height as f32);
-            let sun = 20.0 * (4.0 * (d.dot(vec3(0.8, 0.6, 0.0)) - 1.0)).exp();
-            [0.5 + sun, 0.5 + 0.8 * sun, 1.0 + 0.3 * sun - 0.4 * d.y]
-        })
-        .collect();
-    let map = EnvironmentMap {
-        width,
-        height,
-        pixels,
-    };
-    Light::project(&map, None, order, 2.0 * order as f32).unwrap()
+    light_of(order, |d| {
+        let sun = 20.0 * (4.0 * (d.dot(vec3(0.8, 0.6, 0.0)) - 1.0)).exp();
+        [0.5 + sun, 0.5 + 0.8 * sun, 1.0 + 0.3 * sun - 0.4 * d.y]
+    })
 }
 
 fn sphere(center: Vec3, radius: f32) -> Sphere {

@@ -2,7 +2,9 @@
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use glam::{Affine3A, Vec3, vec3};
-use sh_scene::{Camera, EnvironmentMap, Material, Mesh, Object, Receiver, Scene, Settings, Sphere};
+use sh_scene::{
+    Camera, EnvironmentMap, Light, Material, Mesh, Object, Receiver, Scene, Settings, Sphere,
+};
 
 /// A sphere of `rings` by `2 rings` quads around the origin, with exact normals.
 pub fn sphere_mesh(radius: f32, rings: u32) -> Mesh {
@@ -75,6 +77,26 @@ pub fn scene(objects: Vec<Object>) -> Scene {
             ..Settings::default()
         },
     }
+}
+
+/// The light of a small map that shows this radiance in each direction.
+pub fn light_of(order: usize, radiance: impl Fn(Vec3) -> [f32; 3]) -> Light {
+    let (width, height) = (32, 16);
+    let pixels = (0..width * height)
+        .map(|i| {
+            let (u, v) = ((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
+            radiance(EnvironmentMap::direction(
+                u / width as f32,
+                v / height as f32,
+            ))
+        })
+        .collect();
+    let map = EnvironmentMap {
+        width,
+        height,
+        pixels,
+    };
+    Light::project(&map, None, order, 2.0 * order as f32).unwrap()
 }
 
 /// A covered receiver.
