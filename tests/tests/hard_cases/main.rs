@@ -19,6 +19,7 @@ fn every_test_on_the_page_exists() {
             "saturating" => vec!["tests/tests/saturating.rs".to_string()],
             "motion" => vec!["sh-scene/tests/motion.rs".to_string()],
             "clips" => vec!["sh-bake/tests/clips.rs".to_string()],
+            "clusters" => vec!["sh-cpu/tests/clusters.rs".to_string()],
             "self_shadow" => vec!["sh-cpu/tests/self_shadow.rs".to_string()],
             "hard_scenes" => ["sh-cpu/tests", "sh-gpu/tests/gpu"]
                 .map(|folder| format!("{folder}/hard_scenes.rs"))
