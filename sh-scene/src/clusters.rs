@@ -17,10 +17,13 @@ pub struct Clusters {
     pub ranges: Vec<Range<usize>>,
 }
 
+/// Receivers that a pass computes at once, or a whole part of them.
+const SIDE_BY_SIDE: usize = 8;
+
 impl Clusters {
     /// At most `count` clusters by Lloyd's algorithm over positions and normals. A turn of the normal by 60° counts as
-    /// much as the extent of a cluster. Within a cluster receivers follow a space-filling curve, so that
-    /// neighbours, which are computed side by side, need the same blockers.
+    /// much as the extent of a cluster. Within a cluster those stand side by side that need the
+    /// same blockers, since they are computed together.
     ///
     /// The time grows with the product of both numbers.
     ///
@@ -52,9 +55,9 @@ impl Clusters {
             .collect();
         let mut order = Vec::with_capacity(receivers.len());
         let mut ranges = Vec::new();
-        for group in lloyd(&features, &along, count.max(1)) {
+        for mut group in lloyd(&features, &along, count.max(1)) {
             let first = order.len();
-            // A group keeps the order of the curve.
+            halve(&features, &mut group);
             order.extend(group.into_iter().map(|i| i as u32));
             ranges.push(first..order.len());
         }
@@ -68,6 +71,34 @@ impl Clusters {
             .map(|&i| of_receivers[i as usize])
             .collect()
     }
+}
+
+/// Sorts a group into halves of halves, across the direction in which each is the longest, down to [`SIDE_BY_SIDE`].
+fn halve(features: &[[f32; 6]], group: &mut [usize]) {
+    if group.len() <= SIDE_BY_SIDE {
+        return;
+    }
+    let extent = |k: usize| {
+        let values = || group.iter().map(|&i| features[i][k]);
+        values().fold(f32::NEG_INFINITY, f32::max) - values().fold(f32::INFINITY, f32::min)
+    };
+    let extents: [f32; 6] = std::array::from_fn(extent);
+    let longest = (0..6).fold(
+        0,
+        |best, k| if extents[k] > extents[best] { k } else { best },
+    );
+    // A whole number of the smallest pieces, so that no piece mixes both halves.
+    let middle = (group.len() / 2).next_multiple_of(SIDE_BY_SIDE);
+    if middle < group.len() {
+        group.select_nth_unstable_by(middle, |&a, &b| {
+            features[a][longest]
+                .total_cmp(&features[b][longest])
+                .then(a.cmp(&b))
+        });
+    }
+    let (low, high) = group.split_at_mut(middle);
+    halve(features, low);
+    halve(features, high);
 }
 
 /// The extent that a cluster has if all cover the same area of the box around the positions.

@@ -39,16 +39,19 @@ pub fn inner(path: Path) -> Result<Inner, Error> {
             object: 0,
         })
         .collect();
-    let balls: Vec<Sphere> = (0..MANY)
-        .map(|i| {
+    // Above the floor, or across it.
+    let balls = |height: fn(f32) -> f32| -> Vec<Sphere> {
+        let ball = |i: usize| {
             let t = i as f32;
             let [x, z] = [1.7, 2.3].map(|k| 3.0 * (k * t).sin());
             Sphere {
-                center: [x, 1.5 + t.cos(), z],
+                center: [x, height(t), z],
                 radius: 0.3,
             }
-        })
-        .collect();
+        };
+        (0..MANY).map(ball).collect()
+    };
+    let (above, across) = (balls(|t| 1.5 + t.cos()), balls(|t| 0.25 * t.cos()));
     let light = Light {
         order: ORDER,
         coefficients: vec![[1.0, 0.9, 0.8]; ORDER * ORDER],
@@ -57,11 +60,11 @@ pub fn inner(path: Path) -> Result<Inner, Error> {
     let everything = 0..receivers.len();
     let clusters = std::slice::from_ref(&everything);
     let mut radiance = vec![[0.0; 3]; receivers.len()];
-    let cuts = |count: usize, across: bool| {
-        let balls = &balls[..count];
-        if across {
-            return Cuts::everything(balls, receivers.len());
+    let cuts = |count: usize, cut: bool| {
+        if cut {
+            return Cuts::everything(&across[..count], receivers.len());
         }
+        let balls = &above[..count];
         let mut cuts = Cuts::default();
         let options = CutOptions {
             limits: Limits::LEAVES,
