@@ -9,6 +9,7 @@ struct Blocker {
 }
 
 const TINY: f32 = 1e-30;
+const FOOT: f32 = 1e-6;
 
 // The self-shadow rule of Ren et al. 2006, section 6.2, in a form without jumps. `center` is the sphere's
 // centre seen from the receiver, `height` = c its height above the tangent plane. In front (c >= r) the
@@ -23,23 +24,26 @@ fn replace(center: vec3f, normal: vec3f, radius: f32) -> Blocker {
     if (height >= radius) {
         return seen(center, radius);
     }
-    let foot = center - height * normal;
-    let foot_squared = dot(foot, foot);
-    // (|foot| - d) / d by one root, d the circle's radius.
+    // The share of the distance between once and twice the circle's radius, in squares.
+    let square = dot(center, center);
+    let foot_squared = max(square - height * height, 0.0);
     let circle_squared = max((radius - height) * (radius + height), TINY);
-    let a = clamp(sqrt(foot_squared / circle_squared) - 1.0, 0.0, 1.0);
+    let a = clamp((foot_squared / circle_squared - 1.0) / 3.0, 0.0, 1.0);
     let inner = max(height, 0.0);
     let counted = max(inner + a * ((radius + height) * 0.5 - inner), 0.0);
-    let towards = foot + counted * normal;
-    let inverse = 1.0 / max(length(towards), TINY);
-    // cos^2 = 1 - sin^2, without the cancellation, as the sphere touches the plane: it is the foot's share.
-    let cosine = sqrt(min(foot_squared * inverse * inverse, 1.0));
-    return Blocker(min(counted * inverse, 1.0), cosine, towards * inverse);
+    // Under the foot, where nothing counts, a distance that cancels to 0 would make the direction endless.
+    let distance = sqrt(max(foot_squared + counted * counted, FOOT * square));
+    let inverse = 1.0 / max(distance, TINY);
+    // The sphere touches the plane at the foot.
+    let cosine = min(sqrt(foot_squared) * inverse, 1.0);
+    let direction = (center + (counted - height) * normal) * inverse;
+    return Blocker(min(counted * inverse, 1.0), cosine, direction);
 }
 
 // A ball as it is; `center` is seen from the receiver.
 fn seen(center: vec3f, radius: f32) -> Blocker {
-    let inverse = 1.0 / max(length(center), TINY);
-    let sine = min(radius * inverse, 1.0);
-    return Blocker(sine, sqrt(max(1.0 - sine * sine, 0.0)), center * inverse);
+    let square = dot(center, center);
+    let inverse = 1.0 / max(sqrt(square), TINY);
+    let cosine = min(sqrt(max(square - radius * radius, 0.0)) * inverse, 1.0);
+    return Blocker(min(radius * inverse, 1.0), cosine, center * inverse);
 }

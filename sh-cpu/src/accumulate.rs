@@ -7,6 +7,9 @@ use sh_scene::Blocker;
 /// reciprocal overflows.
 const TINY: f64 = 1e-30;
 
+/// Smallest square of the distance of a sphere that counts in the place of another, over the square of the other's.
+const FOOT: f64 = 1e-6;
+
 /// Blockers whose replacements are worked out before any is added: the chain of square roots and divisions of
 /// one is long, and in a short loop of their own the processor overlaps several. More than it overlaps would only have
 /// to be stored and loaded again.
@@ -112,11 +115,12 @@ struct Seen<L> {
 #[inline(always)]
 fn as_it_is<L: Lane>(center: [L; 3], radius: L) -> Seen<L> {
     let (zero, one) = (radius.lift(0.0), radius.lift(1.0));
-    let inverse = one / dot(center, center).sqrt().max(radius.lift(TINY));
-    let sine = (radius * inverse).min(one);
+    let square = dot(center, center);
+    let inverse = one / square.sqrt().max(radius.lift(TINY));
+    let beside = (-radius).mul_add(radius, square).max(zero);
     Seen {
-        sine,
-        cosine: (-sine).mul_add(sine, one).max(zero).sqrt(),
+        sine: (radius * inverse).min(one),
+        cosine: (beside.sqrt() * inverse).min(one),
         direction: each(|k| center[k] * inverse),
     }
 }
@@ -129,39 +133,43 @@ fn as_it_is<L: Lane>(center: [L; 3], radius: L) -> Seen<L> {
 ///
 /// ```text
 /// d = √(r² - c²)                                radius of the circle that the plane cuts from the sphere
-/// a = clamp((|foot - p| - d) / d, 0, 1)         0 inside of that circle, 1 from twice its radius on
+/// a = clamp((|foot - p|² / d² - 1) / 3, 0, 1)    0 inside of that circle, 1 from twice its radius on
 /// ρ = (1 - a) max(c, 0) + a (r + c) / 2         radius of the sphere that counts, and height of its centre
 /// ```
+///
+/// Ren et al. let a grow with the distance; here it grows with its square, which needs no root.
 ///
 /// The rule has one point of discontinuity, the receiver at the sphere's very centre: there the cap jumps
 /// from half the sky to nothing however it is approached, and nothing is what counts.
 #[inline(always)]
 fn replace<L: Lane>(center: [L; 3], normal: [L; 3], height: L, radius: L) -> Seen<L> {
     let (zero, one, tiny) = (height.lift(0.0), height.lift(1.0), height.lift(TINY));
-    let foot = each(|k| (-height).mul_add(normal[k], center[k]));
-    let foot_squared = dot(foot, foot);
-    // (|foot| - d) / d by one root.
+    let square = dot(center, center);
+    let foot_squared = (-height).mul_add(height, square).max(zero);
     let circle_squared = ((radius - height) * (radius + height)).max(tiny);
-    let outside = (foot_squared / circle_squared).sqrt() - one;
-    let a = outside.max(zero).min(one);
+    let outside = foot_squared / circle_squared - one;
+    let a = (outside * height.lift(1.0 / 3.0)).max(zero).min(one);
     // (1 - a) inner + a (r + c) / 2, which is (r + c) / 2 for a = 1.
     let inner = height.max(zero);
     let half = (radius + height) * height.lift(0.5);
     let touching = a.mul_add(half - inner, inner).max(zero);
+    // What is not cut is looked at as by `as_it_is`, to the bit: a receiver does not see how others in its group do.
     let cuts = height.lt(radius);
     let counted = L::select(cuts, touching, radius);
-    // What is not cut is looked at as by `as_it_is`, to the bit: a receiver does not see how others in its group do.
-    let towards = each(|k| L::select(cuts, touching.mul_add(normal[k], foot[k]), center[k]));
-    let inverse = one / dot(towards, towards).sqrt().max(tiny);
+    let shift = L::select(cuts, touching - height, zero);
+    let distance_squared = L::select(cuts, touching.mul_add(touching, foot_squared), square);
+    // Under the foot, where nothing counts, a distance that cancels to 0 would make the direction endless.
+    let distance_squared = distance_squared.max(square * height.lift(FOOT));
+    let inverse = one / distance_squared.sqrt().max(tiny);
     let sine = (counted * inverse).min(one);
-    // cos² = 1 - sin², without the cancellation where the sphere touches the plane: then it is the foot's share.
-    let part = foot_squared * inverse * inverse;
-    let square = L::select(cuts, part.min(one), (-sine).mul_add(sine, one));
+    // The sphere touches the plane at the foot.
+    let whole = (-radius).mul_add(radius, square).max(zero);
+    let beside = L::select(cuts, foot_squared, whole);
     let counts = (-radius).lt(height);
     Seen {
         sine: L::select(counts, sine, zero),
-        cosine: square.max(zero).sqrt(),
-        direction: each(|k| towards[k] * inverse),
+        cosine: (beside.sqrt() * inverse).min(one),
+        direction: each(|k| shift.mul_add(normal[k], center[k]) * inverse),
     }
 }
 
@@ -283,8 +291,8 @@ mod tests {
         let outside = blocker([8.0, -3.0, 0.0], 5.0);
         near(outside.sine, 1.0 / 65.0_f64.sqrt());
         near(outside.direction[0], 8.0 / 65.0_f64.sqrt());
-        // Half way between, half of each: ρ = (1 - ½)·3 + ½·(5 + 3)/2.
-        let between = blocker([6.0, 3.0, 0.0], 5.0);
-        near(between.sine, 3.5 / (36.0 + 3.5 * 3.5_f64).sqrt());
+        // Half way between in squares, half of each: ρ = (1 - ½)·3 + ½·(5 + 3)/2.
+        let between = blocker([40.0_f64.sqrt(), 3.0, 0.0], 5.0);
+        near(between.sine, 3.5 / (40.0 + 3.5 * 3.5_f64).sqrt());
     }
 }
