@@ -6,7 +6,15 @@ mod link;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-const PASSES: [&str; 5] = ["gbuffer", "irradiance", "shadow", "upsample", "resolve"];
+const PASSES: [&str; 7] = [
+    "light_update",
+    "gbuffer",
+    "irradiance",
+    "shadow",
+    "light_gather",
+    "upsample",
+    "resolve",
+];
 
 const ORDERS: std::ops::RangeInclusive<usize> = 2..=6;
 

@@ -25,6 +25,7 @@ struct Fragment {
     @location(0) position: vec3f,
     @location(1) normal: vec3f,
     @location(2) uv: vec2f,
+    @location(3) color: vec3f,
 }
 
 // Two textures of 128 bits a sample, the most that WebGPU's default limits allow: position and object;
@@ -44,10 +45,15 @@ fn targets(position: vec3f, object: u32, normal: vec3f, albedo: vec3f) -> Target
 }
 
 @vertex
-fn body_vertex(@location(0) position: vec3f, @location(1) normal: vec3f, @location(2) uv: vec2f) -> Fragment {
+fn body_vertex(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) uv: vec2f,
+    @location(3) color: vec3f,
+) -> Fragment {
     let world = body.world_from_object * vec4f(position, 1.0);
     let turned = (body.world_from_object * vec4f(normal, 0.0)).xyz;
-    return Fragment(band.clip_from_world * world, world.xyz, turned, uv);
+    return Fragment(band.clip_from_world * world, world.xyz, turned, uv, color);
 }
 
 // The base colour, bilinear between texel centres, repeated in both directions. By hand, because a
@@ -75,7 +81,8 @@ fn body_fragment(fragment: Fragment) -> Targets {
     let plane = cross(dpdx(fragment.position), dpdy(fragment.position));
     let behind = dot(plane, fragment.normal) * dot(plane, fragment.position - band.eye) > 0.0;
     let normal = normalize(select(fragment.normal, -fragment.normal, behind));
-    return targets(fragment.position, body.object, normal, body.albedo * textured(fragment.uv));
+    let albedo = body.albedo * textured(fragment.uv) * fragment.color;
+    return targets(fragment.position, body.object, normal, albedo);
 }
 
 // A triangle that covers the band.

@@ -2,9 +2,9 @@
 // to be shaded by themselves. The rule stands in sh_scene::upsample. Twin of sh_cpu's `upsample`.
 //
 // Half resolution tells the share of its light that a receiver gets through all blockers (`shares`). Samples take the
-// share of those around them, and their own light without blockers (`upsample`, a workgroup a tile). Those for which
-// that will not do come together at the head of their tile, as clusters for the shadow pass; what it finds for them
-// goes back to where they came from (`scatter`).
+// share of those around them, and their own light without blockers; what spheres send is no share of that and is
+// interpolated by itself (`upsample`, a workgroup a tile). Samples for which that will not do come together at the head
+// of their tile, as clusters for the passes that shade; what these find goes back to where they came from (`scatter`).
 
 #import shared/records
 #import shared/invocation
@@ -50,10 +50,12 @@ fn shares(
 // The band's samples, tile by tile.
 @group(1) @binding(2) var<storage, read> receivers: array<Receiver>;
 @group(1) @binding(3) var<storage, read_write> radiance: array<vec4f>;
-// What has to be shaded by itself: at the head of each tile, how many of them, and where they come from.
+// What has to be shaded by itself: at the head of each tile, with the sample that it comes from as its object, and how
+// many there are.
 @group(1) @binding(4) var<storage, read_write> anew: array<Receiver>;
 @group(1) @binding(5) var<storage, read_write> clusters: array<vec2u>;
-@group(1) @binding(6) var<storage, read_write> origins: array<u32>;
+// Radiance that spheres send, at half resolution. Shorter where they send none.
+@group(1) @binding(6) var<storage, read> half_sent: array<vec4f>;
 
 // Samples of a tile that an invocation has.
 const SAMPLES: u32 = 4u;
@@ -77,9 +79,10 @@ fn upsample(
         let sample = receivers[first + i];
         var result = vec3f(0.0);
         if (sample.covered != 0u) {
-            let share = interpolated(sample, tile_cell(first + i, tiles_across(band.columns)));
-            if (share.a > 0.0) {
-                result = unshadowed(sample) * share.rgb;
+            let open = unshadowed(sample);
+            let around = interpolated(sample, tile_cell(first + i, tiles_across(band.columns)), open);
+            if (around.will_do) {
+                result = open * around.share + around.sent;
             } else {
                 failed |= 1u << i;
             }
@@ -91,7 +94,7 @@ fn upsample(
     for (var i = 0u; i < SAMPLES; i += 1u) {
         if ((failed >> i & 1u) != 0u) {
             anew[place] = receivers[first + i];
-            origins[place] = first + i;
+            anew[place].object = first + i;
             place += 1u;
         }
     }
@@ -100,15 +103,20 @@ fn upsample(
     }
 }
 
-// The share that the receivers around a sample agree on, and 1; or 0 where they do not.
-fn interpolated(sample: Receiver, cell: vec2u) -> vec4f {
+// What the receivers around a sample agree on, if they do: the share of its light, and what spheres send.
+struct Around {
+    share: vec3f,
+    will_do: bool,
+    sent: vec3f,
+}
+
+fn interpolated(sample: Receiver, cell: vec2u, open: vec3f) -> Around {
     let place = vec2f(f32(cell.x) + 0.5, f32(band.first_row + cell.y) + 0.5) / STEPS - 0.5;
     let corner = floor(place);
     let reach = distance(sample.position, band.eye) * band.footprint;
-    var sum = vec3f(0.0);
+    var shares = Mean(vec3f(0.0), vec3f(LARGEST_SHARE), vec3f(-LARGEST_SHARE));
+    var sent = shares;
     var total = 0.0;
-    var low = vec3f(LARGEST_SHARE);
-    var high = vec3f(-LARGEST_SHARE);
     for (var k = 0u; k < 4u; k += 1u) {
         let at = vec2i(corner) + vec2i(vec2u(k & 1u, k >> 1u));
         if (any(at < vec2i(0)) || at.x >= i32(band.half_columns) || at.y >= i32(band.half_rows)) {
@@ -117,20 +125,37 @@ fn interpolated(sample: Receiver, cell: vec2u) -> vec4f {
         let index = tile_index(u32(at.x), u32(at.y) - band.half_first_row, tiles_across(band.half_columns));
         let near = 1.0 - abs(place - vec2f(at));
         let weight = near.x * near.y * alike(sample, half_receivers[index], reach);
-        let share = half_shares[index].rgb;
-        sum += weight * share;
         total += weight;
-        if (weight > rule.corner) {
-            low = min(low, share);
-            high = max(high, share);
+        shares = with_corner(shares, weight, half_shares[index].rgb);
+        if (index < arrayLength(&half_sent)) {
+            sent = with_corner(sent, weight, half_sent[index].rgb);
         }
     }
-    let spread = high - low;
-    if (total < rule.min_weight || max(spread.x, max(spread.y, spread.z)) > rule.max_spread) {
-        return vec4f(0.0);
-    }
-    return vec4f(sum / total, 1.0);
+    // What is sent differs too much if it does so against all light.
+    let light = max(open + sent.high, vec3f(SMALLEST_LIGHT));
+    let spread = max(shares.high - shares.low, (sent.high - sent.low) / light);
+    let will_do = total >= rule.min_weight && max(spread.x, max(spread.y, spread.z)) <= rule.max_spread;
+    return Around(shares.sum / total, will_do, sent.sum / total);
 }
+
+// A weighted sum, and the range of what weighs enough.
+struct Mean {
+    sum: vec3f,
+    low: vec3f,
+    high: vec3f,
+}
+
+fn with_corner(mean: Mean, weight: f32, value: vec3f) -> Mean {
+    var result = mean;
+    result.sum += weight * value;
+    if (weight > rule.corner) {
+        result.low = min(result.low, value);
+        result.high = max(result.high, value);
+    }
+    return result;
+}
+
+const SMALLEST_LIGHT: f32 = 1.2e-38;
 
 // Above any share.
 const LARGEST_SHARE: f32 = 1e9;
@@ -148,7 +173,7 @@ fn alike(sample: Receiver, receiver: Receiver, reach: f32) -> f32 {
 }
 
 @group(1) @binding(0) var<storage, read> shaded_clusters: array<vec2u>;
-@group(1) @binding(1) var<storage, read> shaded_origins: array<u32>;
+@group(1) @binding(1) var<storage, read> shaded_receivers: array<Receiver>;
 @group(1) @binding(2) var<storage, read> shaded: array<vec4f>;
 
 @compute @workgroup_size(64)
@@ -163,6 +188,6 @@ fn scatter(
     }
     let cluster = shaded_clusters[tile];
     for (var i = cluster.x + lane; i < cluster.x + cluster.y; i += WORKGROUP) {
-        radiance[shaded_origins[i]] = shaded[i];
+        radiance[shaded_receivers[i].object] = shaded[i];
     }
 }

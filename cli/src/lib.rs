@@ -9,10 +9,13 @@
 //! | `gaunt fit` | [`fit`] |
 //! | `gaunt bench` | [`bench`] |
 //! | `gaunt spheres` | [`spheres`] |
+//! | `gaunt compare` | [`compare`], on the path tracer over pictures in [`truth`] |
+//! | `gaunt validate` | [`validate`], on [`compare`] |
 //! | `gaunt accuracy` | [`accuracy`], on the exponentials of [`exponential`] |
 
 pub mod accuracy;
 pub mod bench;
+pub mod compare;
 mod error;
 pub mod eval;
 pub mod exponential;
@@ -25,5 +28,8 @@ pub mod project;
 pub mod render;
 pub mod report;
 pub mod spheres;
+pub mod truth;
+pub mod validate;
+mod words;
 
 pub use error::Error;

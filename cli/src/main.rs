@@ -1,8 +1,11 @@
 //! The program: arguments and dispatch.
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
-use gaunt::render::{Backend, Frames, Options, Overrides, frame_numbers, frame_rate};
-use gaunt::{Error, accuracy, bench, eval, fit, ops, project, render, spheres};
+mod arguments;
+
+use arguments::{Compare, Render, Validate};
+use clap::{Parser, Subcommand, ValueEnum};
+use gaunt::render::{Backend, Options};
+use gaunt::{Error, accuracy, bench, compare, eval, fit, ops, project, render, spheres, validate};
 use sh_bake::Cache;
 use std::io::Write;
 use std::path::PathBuf;
@@ -24,6 +27,16 @@ enum Command {
     ///
     /// Prints where the picture is, the plan (which passes run and why) and the time that each stage took.
     Render(Render),
+    /// Compare the passes with the truth: pictures side by side, and figures of the difference
+    ///
+    /// The truth is traced path by path from one receiver a pixel, twice: with bodies as the only reflectors, as the
+    /// passes assume, and with the ground reflecting too. Figures are in parts of the mean radiance.
+    Compare(Compare),
+    /// Compare the validation scenes of spherical lights with the truth, and measure where errors come from
+    ///
+    /// The scenes are those of Guerrero et al. 2008, figures 8 to 10, made by code; docs/INDIRECT.md shows them. Takes
+    /// some minutes.
+    Validate(Validate),
     /// Print the SH coefficients of an environment map
     ///
     /// One row a coefficient, index l*l + l + m, with red, green and blue. Nothing is windowed, and solid
@@ -79,7 +92,7 @@ enum Command {
     },
     /// Time moving scenes: every stage of a frame, against one lane on one thread and against the machine's peak
     ///
-    /// The scenes are made by code at the scale of Ren et al. 2006. On a shared machine trust the ratios.
+    /// The scenes are made by code at the scale of Ren et al. 2006 and Guerrero et al. 2008. On a shared machine trust the ratios.
     Bench {
         /// What to time
         #[arg(value_enum)]
@@ -90,7 +103,7 @@ enum Command {
         /// Print JSON instead of tables
         #[arg(long)]
         json: bool,
-        /// Draw the comparison with rays to this file, .svg or .png
+        /// Draw the comparison with rays, or that of lights, to this file, .svg or .png
         #[arg(long, value_name = "FILE")]
         plot: Option<PathBuf>,
     },
@@ -116,114 +129,11 @@ enum Command {
     },
 }
 
-#[derive(Args)]
-struct Render {
-    /// A scene in TOML, or a mesh file; without one, the built-in scene
-    scene: Option<PathBuf>,
-    /// The picture: .png (for a screen) or .exr (linear radiance); with --frames its name has a %d or %04d in it
-    #[arg(short, long, default_value = "gaunt.png")]
-    out: PathBuf,
-    /// Render these frames of the scene's motion, a file each: 0..60 is frames 0 to 59
-    ///
-    /// Every frame is the same whether others are rendered or not. A mesh file given without --clip plays its
-    /// first clip.
-    #[arg(long, value_name = "A..B", value_parser = frame_numbers)]
-    frames: Option<std::ops::Range<u32>>,
-    /// Frames that make a second of motion
-    #[arg(long, value_name = "RATE", default_value_t = 30.0, value_parser = frame_rate)]
-    fps: f64,
-    /// The clip that a mesh file plays: its name, or its number from 0; scene files say it for each object
-    #[arg(long, value_name = "NAME")]
-    clip: Option<String>,
-    /// What computes; auto takes a GPU if there is one, and the CPU otherwise
-    #[arg(long, value_enum, default_value_t = Backend::Auto)]
-    backend: Backend,
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
-    size: [u32; 2],
-    /// Both SH orders under one name, instead of the scene's; ACCURACY.md tells what each gives and costs
-    #[arg(long, value_enum)]
-    quality: Option<Quality>,
-    /// SH order of the light, 2 to 6, instead of the scene's or the quality's
-    ///
-    /// Shading a receiver costs as the fourth power of it, every blocker at least as its square. An order of
-    /// accumulation that was the same goes with it.
-    #[arg(long)]
-    order: Option<usize>,
-    /// SH order in which shadows are accumulated, from the light's to 6, instead of the scene's or the quality's
-    ///
-    /// Above the light's order shadows are truer, and every blocker costs as the square of it; see ACCURACY.md.
-    #[arg(long)]
-    accumulation: Option<usize>,
-    /// Whether shadows are cast, instead of what the scene says
-    #[arg(long, value_enum)]
-    shadows: Option<Switch>,
-    /// Whether shadows are computed at half the picture's resolution, instead of what the scene or the quality says
-    #[arg(long, value_enum)]
-    half_resolution: Option<Switch>,
-    /// Brighter or darker by so many stops (PNG only)
-    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true, value_parser = stops)]
-    exposure: f32,
-    /// Also write what was done and how long it took to this file
-    #[arg(long, value_name = "REPORT.json")]
-    json: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Switch {
-    On,
-    Off,
-}
-
-impl Switch {
-    fn on(self) -> bool {
-        matches!(self, Self::On)
-    }
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Quality {
-    /// The softest light, in half the time of balanced
-    Fast,
-    /// The middle, and the default
-    Balanced,
-    /// The sharpest light and the truest shadows, in about three times the time of balanced
-    Accurate,
-}
-
-impl From<Quality> for sh_scene::Quality {
-    fn from(quality: Quality) -> Self {
-        match quality {
-            Quality::Fast => Self::Fast,
-            Quality::Balanced => Self::Balanced,
-            Quality::Accurate => Self::Accurate,
-        }
-    }
-}
-
 #[derive(Clone, Copy, ValueEnum)]
 enum Precision {
     F64,
     F32,
     Gpu,
-}
-
-fn size(text: &str) -> Result<[u32; 2], String> {
-    let sides = text
-        .split_once(['x', 'X'])
-        .and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
-    match sides {
-        Some([w, h]) if (1..=16_384).contains(&w) && (1..=16_384).contains(&h) => Ok([w, h]),
-        Some(_) => Err("each side must be 1 to 16384 pixels".into()),
-        None => Err("a size looks like 1280x720".into()),
-    }
-}
-
-fn stops(text: &str) -> Result<f32, String> {
-    match text.parse() {
-        Ok(stops) if (-20.0..=20.0).contains(&stops) => Ok(stops),
-        _ => Err("stops are a number from -20 to 20".into()),
-    }
 }
 
 fn main() -> ExitCode {
@@ -274,30 +184,9 @@ fn run(command: Option<Command>) -> Result<(), Error> {
             };
             say(&render::render(&options)?.to_string())
         }
-        Some(Command::Render(args)) => {
-            let options = Options {
-                scene: args.scene,
-                out: args.out,
-                frames: args.frames.map(|numbers| Frames {
-                    numbers,
-                    rate: args.fps,
-                }),
-                clip: args.clip,
-                backend: args.backend,
-                size: args.size,
-                settings: Overrides {
-                    quality: args.quality.map(Into::into),
-                    order: args.order,
-                    accumulation: args.accumulation,
-                    shadows: args.shadows.map(Switch::on),
-                    half_resolution: args.half_resolution.map(Switch::on),
-                },
-                stops: args.exposure,
-                report: args.json,
-                cache: Cache::of_user(),
-            };
-            say(&render::render(&options)?.to_string())
-        }
+        Some(Command::Render(args)) => say(&render::render(&args.into())?.to_string()),
+        Some(Command::Compare(args)) => say(&compare::run(&args.into())?),
+        Some(Command::Validate(args)) => say(&validate::run(&args.into())?),
         Some(Command::Project {
             environment,
             order,

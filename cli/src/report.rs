@@ -1,7 +1,7 @@
 //! What was done, why, and how long it took: for a person and as JSON.
 
 use serde::Serialize;
-use sh_bake::FitReport;
+use sh_bake::{FitReport, SurfaceReport};
 use sh_scene::Plan;
 use std::fmt;
 use std::path::PathBuf;
@@ -95,6 +95,34 @@ impl Body {
     }
 }
 
+/// The surface samples of a body, which say how bright its spheres are as lights.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Surface {
+    /// The body's name.
+    pub name: String,
+    /// Its spheres.
+    pub spheres: usize,
+    /// Points around all of them.
+    pub points: usize,
+    /// What they take in memory.
+    pub bytes: usize,
+    /// Whether they come from the cache.
+    pub cached: bool,
+}
+
+impl Surface {
+    /// From what sampling found.
+    pub fn new(found: &SurfaceReport) -> Self {
+        Self {
+            name: found.name.clone(),
+            spheres: found.spheres,
+            points: found.points,
+            bytes: found.bytes,
+            cached: found.cached,
+        }
+    }
+}
+
 /// Frames that were rendered.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Sequence {
@@ -132,6 +160,9 @@ pub struct Report {
     pub exposure: f32,
     /// The meshes; one that is used several times is listed once.
     pub objects: Vec<Body>,
+    /// The surface samples of bodies that send light on; none where none do.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub surfaces: Vec<Surface>,
     /// What moves: sentences.
     pub moves: Vec<String>,
     /// What was wrong with the files and has been put right: sentences.
@@ -190,6 +221,21 @@ impl fmt::Display for Report {
             let ratio = outside_volume_ratio.map_or("open mesh".into(), |r| format!("{r:.3}"));
             let cached = if *cached { "   from the cache" } else { "" };
             writeln!(f, "  {name:<20} {spheres:>4}   {ratio}{cached}")?;
+        }
+        if !self.surfaces.is_empty() {
+            writeln!(f, "\nSurface samples (points, memory)")?;
+        }
+        for Surface {
+            name,
+            points,
+            bytes,
+            cached,
+            ..
+        } in &self.surfaces
+        {
+            let cached = if *cached { "   from the cache" } else { "" };
+            let kilobytes = bytes.div_ceil(1000);
+            writeln!(f, "  {name:<20} {points:>4}   {kilobytes} kB{cached}")?;
         }
         writeln!(f, "\nPlan")?;
         for Planned { pass, reason } in &self.plan {

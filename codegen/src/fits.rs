@@ -7,7 +7,9 @@ use crate::expr::{Graph, Value};
 
 const CAP_LOG: &str = include_str!("../data/cap_log.txt");
 const CAP_LOG_TABLE: &str = include_str!("../data/cap_log_table.txt");
+const LENS: &str = include_str!("../data/lens.txt");
 const OPTIMAL_LINEAR: &str = include_str!("../data/optimal_linear.txt");
+const BALL: &str = include_str!("../data/ball.txt");
 const SATURATING: &str = include_str!("../data/saturating.txt");
 
 /// What the cap logarithms are fitted to, as the data file names it: the exponentials, and the eigen logarithm
@@ -135,6 +137,85 @@ pub fn accumulation_factors(order: usize) -> Vec<f64> {
     leading
         .map(|(i, factor)| factor * crate::basis::turn(i.isqrt()).to_f64())
         .collect()
+}
+
+/// What is seen of a ball: for each band from 1 on, the polynomials P and Q in cos θ, lowest power first.
+pub fn ball() -> Vec<[Vec<f64>; 2]> {
+    let polynomial = |name: &str, band: usize| {
+        let mut found = rows(BALL, &[name, &band.to_string()]);
+        found.pop()
+    };
+    (1..)
+        .map_while(|band| Some([polynomial("P", band)?, polynomial("Q", band)?]))
+        .collect()
+}
+
+/// Band l of the basis at `d` times `p_l(θ) = 1 + cos θ (P(cos θ) + sin θ Q(cos θ))`.
+pub fn ball_average(
+    g: &mut Graph,
+    order: usize,
+    sin: Value,
+    cos: Value,
+    d: &[Value],
+) -> Vec<Value> {
+    let one = g.constant(1.0);
+    let mut means = vec![one];
+    for [p, q] in ball().iter().take(order - 1) {
+        let (p, q) = (g.horner(p, cos), g.horner(q, cos));
+        let sum = g.mul_add(sin, q, p);
+        means.push(g.mul_add(cos, sum, one));
+    }
+    let y = crate::basis::basis(g, order, d);
+    y.iter()
+        .enumerate()
+        .map(|(i, y)| g.mul(means[i.isqrt()], *y))
+        .collect()
+}
+
+/// The common part of two discs: for the powers 1 and 2 of t, a polynomial in the ratio of their radii; that of power 3 is
+/// what is left to 1.
+pub fn lens() -> [Vec<f64>; 2] {
+    ["1", "2"].map(|power| {
+        let mut found = rows(LENS, &[power]);
+        found.pop().expect("lens.txt has both powers")
+    })
+}
+
+/// Radii that are told apart from 0: their product is at least this.
+const SMALLEST: f64 = 1e-12;
+
+/// Which part of a disc of radius a is covered by one of radius b at the distance d: with q the smaller over the larger
+/// radius, t = (a + b − d) / (2 min) held in 0..1, and f(t, q) the part of the smaller that is covered,
+/// f min(1, b²/a²).
+pub fn disc_covered(g: &mut Graph, a: Value, b: Value, d: Value) -> Value {
+    let (zero, one, half) = (g.constant(0.0), g.constant(1.0), g.constant(0.5));
+    let smallest = g.constant(SMALLEST);
+    let product = g.mul(a, b);
+    let product = g.max(product, smallest);
+    let inverse = g.div(one, product);
+    let (small, large) = (g.min(a, b), g.max(a, b));
+    let square = g.mul(small, small);
+    let q = g.mul(square, inverse);
+    let sum = g.add(a, b);
+    let inside = g.sub(sum, d);
+    let t = g.mul(inside, large);
+    let t = g.mul(t, inverse);
+    let t = g.mul(t, half);
+    let t = g.max(t, zero);
+    let t = g.min(t, one);
+    let [first, second] = lens().map(|c| g.horner(&c, q));
+    let third = g.sub(one, first);
+    let third = g.sub(third, second);
+    let f = g.mul_add(third, t, second);
+    let f = g.mul_add(f, t, first);
+    let f = g.mul(f, t);
+    // Short of touching the polynomial may be a little below 0.
+    let f = g.max(f, zero);
+    let squared = g.mul(b, b);
+    let ratio = g.mul(squared, inverse);
+    let ratio = g.mul(ratio, ratio);
+    let ratio = g.min(ratio, one);
+    g.mul(f, ratio)
 }
 
 /// `[a, b]` as polynomials in the norm.

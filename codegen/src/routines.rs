@@ -329,6 +329,28 @@ pub const ROUTINES: &[Routine] = &[
         },
     },
     Routine {
+        name: "ball_average",
+        doc: "The vector whose dot product with what a ball's surface emits, a function of the direction from its centre, is the mean radiance that is seen of it: of all that is in sight, by solid angle. `d` points from the ball to where it is seen from, the angular radius θ in 0..π/2 comes as its sine and cosine.\n\nBand l is y_l(d) times the mean of P_l(cos α) over what is in sight, α the angle from `d`: from far away, weights are the cosines of the surface's slope, near by those of a small cap. That mean is fitted to 3e-6.",
+        source: "Guerrero et al. 2008, eq. 16–18, with weights by solid angle, (cos α − s)/(1 − 2 s cos α + s²)^(3/2), s = sin θ, where eq. 17 has the root alone; `gaunt fit` rewrites the coefficients.",
+        example: "// Half of a ball is bright.\nlet emission = <[f64; 16]>::basis([0.0, 0.0, 1.0]);\nlet (sin, cos) = (0.6, 0.8);\nlet before = emission.dot(&<[f64; 16]>::ball_average(sin, cos, [0.0, 0.0, 1.0]));\nlet behind = emission.dot(&<[f64; 16]>::ball_average(sin, cos, [0.0, 0.0, -1.0]));\nassert!(before > 0.5 && behind < 0.1);",
+        arguments: &[SIN, COS, D],
+        result: Shape::Vector,
+        build: |g, n, a| fits::ball_average(g, n, a[0][0], a[1][0], &a[2]),
+    },
+    Routine {
+        name: "disc_covered",
+        doc: "Which part of a disc in the sky of angular radius `a` another of radius `b` covers whose middle is at the distance `d`; radians, radii up to π/2.\n\nThe share of flat discs, fitted to 0.016; for those on a sphere angles stand for lengths. 0 for discs that do not touch, 1 for one that is covered, and nothing between is below or above.",
+        source: "The lens of two circles, fitted in place of its inverse cosines; `gaunt fit` rewrites the coefficients.",
+        example: "let covered = |d: f64| <[f64; 4]>::disc_covered(0.2, 0.2, d);\nassert_eq!((covered(0.0), covered(0.4)), (1.0, 0.0));\nassert!((covered(0.2) - 0.391).abs() < 0.02);",
+        arguments: &[
+            ("a", Shape::Scalar),
+            ("b", Shape::Scalar),
+            ("d", Shape::Scalar),
+        ],
+        result: Shape::Scalar,
+        build: |g, _, a| vec![fits::disc_covered(g, a[0][0], a[1][0], a[2][0])],
+    },
+    Routine {
         name: "exp_saturating",
         doc: "The visibility behind all blockers from `f`, the sum of their `cap_log_saturating`: samples of f, held in bounds by a fitted function in the place of e^x, projected back. The exponential of the shadow pass.\n\nWith x = f/√(1 + β‖f̂‖²/4π), f̂ being f without its mean, and t = x(s) held in −1..0.2, a sample becomes h(t) = ((1 + t)(1 − t/4))²: 1 for f = 0, at most 1.2996, and 0 where f says dark. Ripples of many overlapping blockers, which grow with their number, are compressed to the size of one blocker's; no |f| makes it diverge.\n\nPromises for any finite f: every sample lies in 0..=1.2996 before projection; the norm of the result is at most 1.2996 √4π (2 % more at order 6, where a band's gain is 1.02). A number that is not finite makes the result NaN or finite, never infinite. f is told apart up to ‖f̂‖ = 3e18.",
         source: "Sampling rules: Lebedev 1976; β, the gains of the projection's bands and the logarithm fitted against true visibilities by `gaunt fit`.",

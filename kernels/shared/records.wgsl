@@ -50,3 +50,30 @@ struct UpsampleRule {
     normal_from: f32,
     corner: f32,
 }
+
+// Whether bodies hide each other as a whole (1) or sphere by sphere (0); sh_scene::Blocking.
+struct BlockingRule {
+    by_bodies: u32,
+}
+
+// A point of a body's surface; sh_scene::SurfacePoint.
+struct SurfacePoint {
+    // In object space.
+    position: vec3f,
+    // Which of its sphere's directions it stands for.
+    direction: u32,
+    normal: vec3f,
+    albedo: vec3f,
+}
+
+// A sphere that sends light on: where its body stands, the body's rotation and that from the frame of the sphere's
+// directions to the world as quaternions, the sphere's points, the index of its body and the node that it is.
+struct Sender {
+    world_from_object: mat4x4f,
+    turn: vec4f,
+    frame: vec4f,
+    first: u32,
+    count: u32,
+    object: u32,
+    node: u32,
+}

@@ -6,19 +6,24 @@
 //!
 //! | pass | entry points | group 0 | group 1 |
 //! |---|---|---|---|
+//! | light_update | `place` | lighting (uniform), senders, points, cells, emission (written) | receivers (written) |
+//! | | `project` | as above | radiance |
+//! | | `raise` | as above | nodes |
 //! | gbuffer | `body_vertex`, `body_fragment` | band (uniform) | body (uniform), base colour (texture) |
 //! | | `ground_vertex`, `ground_fragment` | band (uniform) | |
 //! | | `pack` | band (uniform), places, surfaces (textures) | receivers, albedos (storage, written) |
 //! | irradiance | `irradiance` | lighting (uniform), emitters | receivers, radiance (written) |
 //! | shadow | `shadow` | lighting (uniform), emitters, nodes | receivers, clusters, radiance (written) |
+//! | light_gather | `gather_discs`, `gather_sums` | lighting (uniform), nodes, blocking rule (uniform), members, emission | receivers, clusters, radiance (added to) |
 //! | upsample | `shares` | band, lighting (uniform), emitters, rule (uniform) | half receivers, half radiance (to shares) |
-//! | | `upsample` | as above | half receivers, half shares, receivers, radiance, what to shade anew, its clusters and origins (four written) |
-//! | | `scatter` | as above | clusters, origins, their radiance, radiance (written) |
+//! | | `upsample` | as above | half receivers, half shares, receivers, radiance, what to shade anew and its clusters (three written), what is sent at half resolution |
+//! | | `scatter` | as above | clusters, what is shaded anew, its radiance, radiance (written) |
 //! | resolve | `resolve` | band (uniform), environment (texture) | receivers, albedo, radiance, picture (written) |
 //!
 //! Compute entry points have workgroups of [`WORKGROUP`] invocations and count elements row by row over a
-//! two-dimensional dispatch; how many there are follows from the size of the bound buffers. `shadow`, `upsample` and
-//! `scatter` count clusters or tiles along y and z instead.
+//! two-dimensional dispatch; how many there are follows from the size of the bound buffers. `shadow`, `light_gather`,
+//! `upsample` and `scatter` count clusters or tiles along y and z instead, and the entry points of `light_update` spheres
+//! or nodes.
 //!
 //! ```
 //! let wgsl = sh_kernels::source(sh_kernels::Pass::Shadow, 4).expect("orders 2 to 6 exist");
@@ -38,12 +43,16 @@ pub const WORKGROUP: u32 = 64;
 /// The passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pass {
+    /// What spheres send on.
+    LightUpdate,
     /// Position, normal and albedo per sample; the same text for every order.
     Gbuffer,
     /// Light without blockers.
     Irradiance,
     /// Light through the visibility of all blocker spheres.
     Shadow,
+    /// Light that spheres send on.
+    LightGather,
     /// Radiance at half resolution to samples.
     Upsample,
     /// Samples to pixels; the same text for every order.
@@ -52,10 +61,12 @@ pub enum Pass {
 
 impl Pass {
     /// All passes, in the order of a frame.
-    pub const ALL: [Pass; 5] = [
+    pub const ALL: [Pass; 7] = [
+        Pass::LightUpdate,
         Pass::Gbuffer,
         Pass::Irradiance,
         Pass::Shadow,
+        Pass::LightGather,
         Pass::Upsample,
         Pass::Resolve,
     ];
@@ -63,9 +74,11 @@ impl Pass {
     /// The name of the pass and of its file.
     pub fn name(self) -> &'static str {
         match self {
+            Pass::LightUpdate => "light_update",
             Pass::Gbuffer => "gbuffer",
             Pass::Irradiance => "irradiance",
             Pass::Shadow => "shadow",
+            Pass::LightGather => "light_gather",
             Pass::Upsample => "upsample",
             Pass::Resolve => "resolve",
         }

@@ -16,6 +16,8 @@
 //! | [`rotation`] | rotation by a quaternion |
 //! | [`zonal`] | zonal vectors turned to a direction, the cosine lobe, the window |
 //! | [`cap`] | the visibility past a sphere |
+//! | [`ball`] | how much is seen of what a sphere emits |
+//! | [`lens`] | the common part of two discs |
 //! | [`log`] | the SH logarithm, by eigenvalues and by samples |
 //! | [`exp`] | the SH exponential, exact and by the series of Ren 2006 |
 //! | [`environment`] | the projection of an equirectangular map |
@@ -23,6 +25,7 @@
 //! | [`arcs`] | the same visibility, exact to rounding and fast, along the edges of the caps |
 //! | [`blockers`] | the random sets of caps that accuracy is measured on |
 //! | [`raycast`] | the visibility past triangles, one ray at a time |
+//! | [`paths`] | all light of a scene: shadows and diffuse bounces, path by path |
 //! | [`spheres`] | the volume of spheres outside a mesh; sphere sets made in simpler ways |
 //! | [`sampled`] | SH vector and light behind any visibility |
 //!
@@ -42,12 +45,15 @@
 //! ```
 
 pub mod arcs;
+pub mod ball;
 pub mod basis;
 pub mod blockers;
 pub mod cap;
 pub mod environment;
 pub mod exp;
+pub mod lens;
 pub mod log;
+pub mod paths;
 pub mod product;
 pub mod quadrature;
 pub mod raycast;

@@ -8,7 +8,7 @@
 use crate::vec3::{Vec3, cross, dot, sub, widen};
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
-use obvhs::ray::Ray;
+use obvhs::ray::{Ray, RayHit};
 use obvhs::{Boundable, BvhBuildParams, aabb::Aabb};
 use sh_scene::{Mesh, Object};
 use std::time::Duration;
@@ -49,6 +49,11 @@ pub fn intersect(
     direction: [f64; 3],
     beyond: f64,
 ) -> Option<f64> {
+    meet(triangle, origin, direction, beyond).map(|[distance, ..]| distance)
+}
+
+/// The same with the weights of the second and the third corner.
+fn meet(triangle: &Triangle, origin: Vec3, direction: Vec3, beyond: f64) -> Option<[f64; 3]> {
     const SLACK: f64 = 1e-12;
     let [edge_1, edge_2] = [sub(triangle[1], triangle[0]), sub(triangle[2], triangle[0])];
     let p = cross(direction, edge_2);
@@ -61,7 +66,19 @@ pub fn intersect(
     let u = dot(to, p) / determinant;
     let v = dot(direction, q) / determinant;
     let distance = dot(edge_2, q) / determinant;
-    (u >= -SLACK && v >= -SLACK && u + v <= 1.0 + SLACK && distance > beyond).then_some(distance)
+    (u >= -SLACK && v >= -SLACK && u + v <= 1.0 + SLACK && distance > beyond)
+        .then_some([distance, u, v])
+}
+
+/// Where a ray meets a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Metres along the ray.
+    pub distance: f64,
+    /// Which triangle, in the order they were given.
+    pub triangle: usize,
+    /// How much each corner counts there; they add up to 1.
+    pub weights: [f64; 3],
 }
 
 /// Triangles, ready for many rays.
@@ -101,24 +118,61 @@ impl Caster {
     /// assert_eq!(found, Some(2.0));
     /// ```
     pub fn nearest(&self, origin: [f64; 3], direction: [f64; 3], beyond: f64) -> Option<f64> {
-        let mut nearest = None;
+        self.nearest_hit(origin, direction, beyond)
+            .map(|hit| hit.distance)
+    }
+
+    /// As [`nearest`](Self::nearest), and which triangle that is, and where on it.
+    ///
+    /// ```
+    /// use sh_reference::raycast::Caster;
+    /// let floor = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 0.0, 4.0]];
+    /// let hit = Caster::new(vec![floor]).nearest_hit([1.0, 2.0, 2.0], [0.0, -1.0, 0.0], 0.0);
+    /// assert_eq!(hit.map(|hit| hit.weights), Some([0.25, 0.25, 0.5]));
+    /// ```
+    pub fn nearest_hit(&self, origin: [f64; 3], direction: [f64; 3], beyond: f64) -> Option<Hit> {
+        let mut nearest: Option<Hit> = None;
+        let shorten = |_: &Ray, id| {
+            let index = self.bvh.primitive_indices[id] as usize;
+            let Some([distance, u, v]) = meet(&self.triangles[index], origin, direction, beyond)
+            else {
+                return f32::INFINITY;
+            };
+            if nearest.is_none_or(|hit| distance < hit.distance) {
+                nearest = Some(Hit {
+                    distance,
+                    triangle: index,
+                    weights: [1.0 - u - v, u, v],
+                });
+            }
+            // Boxes that begin farther away are left out from here on: not by rounding, though.
+            (distance as f32).next_up()
+        };
         self.bvh
-            .ray_traverse_anyhit(ray(origin, direction), |_, id| {
-                let triangle = &self.triangles[self.bvh.primitive_indices[id] as usize];
-                if let Some(distance) = intersect(triangle, origin, direction, beyond) {
-                    nearest = Some(nearest.map_or(distance, |n: f64| n.min(distance)));
-                }
-            });
+            .ray_traverse(ray(origin, direction), &mut RayHit::none(), shorten);
         nearest
     }
 
     /// Whether any triangle lies in a unit direction, farther than `beyond`.
     pub fn blocked(&self, origin: [f64; 3], direction: [f64; 3], beyond: f64) -> bool {
-        !self.bvh.ray_traverse_miss(ray(origin, direction), |_, id| {
+        self.blocked_within(origin, direction, beyond, f64::INFINITY)
+    }
+
+    /// Whether any triangle lies in a unit direction, farther than `beyond` and nearer than `limit`.
+    pub fn blocked_within(
+        &self,
+        origin: [f64; 3],
+        direction: [f64; 3],
+        beyond: f64,
+        limit: f64,
+    ) -> bool {
+        let mut ray = ray(origin, direction);
+        ray.tmax = (limit as f32).next_up();
+        !self.bvh.ray_traverse_miss(ray, |_, id| {
             let triangle = &self.triangles[self.bvh.primitive_indices[id] as usize];
             match intersect(triangle, origin, direction, beyond) {
-                Some(_) => 0.0,
-                None => f32::INFINITY,
+                Some(distance) if distance < limit => 0.0,
+                _ => f32::INFINITY,
             }
         })
     }
@@ -161,164 +215,4 @@ impl Boundable for Padded {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::sampled;
-    use crate::testing::{assert_close, directions, numbers};
-    use crate::visibility::{caps, project};
-    use glam::{Affine3A, Quat};
-    use sh_scene::{Material, Sphere};
-
-    /// A ball of triangles: `rows` by `2·rows` quads.
-    fn ball(center: Vec3, radius: f64, rows: usize) -> Vec<Triangle> {
-        use std::f64::consts::{PI, TAU};
-        let corner = |i: usize, j: usize| {
-            let (a, b) = (
-                PI * i as f64 / rows as f64,
-                TAU * j as f64 / (2 * rows) as f64,
-            );
-            let s = [a.sin() * b.cos(), a.cos(), a.sin() * b.sin()];
-            [0, 1, 2].map(|k| center[k] + radius * s[k])
-        };
-        let quads = (0..rows).flat_map(|i| (0..2 * rows).map(move |j| (i, j)));
-        quads
-            .flat_map(|(i, j)| {
-                let [a, b, c, d] = [
-                    corner(i, j),
-                    corner(i + 1, j),
-                    corner(i + 1, j + 1),
-                    corner(i, j + 1),
-                ];
-                [[a, b, c], [a, c, d]]
-            })
-            .collect()
-    }
-
-    #[test]
-    fn boxes_hide_no_triangle() {
-        let corners = numbers(41, 9 * 300);
-        let soup: Vec<Triangle> = corners
-            .chunks(9)
-            .map(|c| {
-                let near = |i: usize| [0, 1, 2].map(|k| c[k] + 0.4 * c[3 * i + k]);
-                [near(0), near(1), near(2)]
-            })
-            .collect();
-        let caster = Caster::new(soup.clone());
-        let mut hits = 0;
-        for (i, s) in directions(400).into_iter().enumerate() {
-            let start = numbers(i as u64, 3);
-            let origin = [1.5 * start[0], 1.5 * start[1], 1.5 * start[2]];
-            let brute = soup
-                .iter()
-                .filter_map(|t| intersect(t, origin, s, 0.0))
-                .reduce(f64::min);
-            assert_eq!(caster.nearest(origin, s, 0.0), brute);
-            assert_eq!(caster.blocked(origin, s, 0.0), brute.is_some());
-            hits += usize::from(brute.is_some());
-        }
-        assert!((50..350).contains(&hits), "{hits} rays hit");
-    }
-
-    #[test]
-    fn no_ray_slips_between_triangles() {
-        let triangles = ball([0.0; 3], 1.0, 12);
-        let caster = Caster::new(triangles.clone());
-        for s in directions(3000) {
-            assert!(caster.blocked([0.0; 3], s, 0.0));
-        }
-        // Straight at the corners and the middles of the edges.
-        for [a, b, _] in triangles {
-            let middle = [0, 1, 2].map(|k| 0.5 * (a[k] + b[k]));
-            for target in [a, middle] {
-                assert!(caster.blocked([0.0; 3], crate::vec3::normalize(target), 0.0));
-            }
-        }
-    }
-
-    #[test]
-    fn nothing_is_blocked_by_nothing() {
-        let caster = Caster::new(Vec::new());
-        assert!(!caster.blocked([0.0; 3], [0.0, 1.0, 0.0], 0.0));
-        let flat = [[1.0, 1.0, 1.0]; 3];
-        assert_eq!(
-            Caster::new(vec![flat]).nearest([0.0; 3], [0.0, 1.0, 0.0], 0.0),
-            None
-        );
-    }
-
-    #[test]
-    fn surfaces_do_not_block_their_own_points() {
-        let floor = [[-9.0, 0.0, -9.0], [9.0, 0.0, -9.0], [0.0, 0.0, 9.0]];
-        let caster = Caster::new(vec![floor]);
-        assert!(!caster.blocked([0.0; 3], [0.0, 1.0, 0.0], 1e-6));
-        // From a point that rounding put below its surface.
-        assert!(caster.blocked([0.0, -1e-7, 0.0], [0.0, 1.0, 0.0], 0.0));
-        assert!(!caster.blocked([0.0, -1e-7, 0.0], [0.0, 1.0, 0.0], 1e-6));
-        let white = sampled::irradiance(
-            [0.0, 1.0, 0.0],
-            4000,
-            |s| {
-                if caster.blocked([0.0; 3], s, 1e-6) {
-                    0.0
-                } else {
-                    1.0
-                }
-            },
-            |_| [1.0; 3],
-        );
-        assert!((white.value[1] - 1.0).abs() < 1e-3);
-    }
-
-    #[test]
-    fn a_ball_of_triangles_is_nearly_a_sphere() {
-        let center = [0.5, 2.0, -0.5];
-        let caster = Caster::new(ball(center, 1.0, 48));
-        let dense = sampled::project(4, 50_000, |s| {
-            if caster.blocked([0.0; 3], s, 0.0) {
-                0.0
-            } else {
-                1.0
-            }
-        });
-        let sphere = Sphere {
-            center: center.map(|c| c as f32),
-            radius: 1.0,
-        };
-        let exact = project(4, &caps([0.0; 3], &[sphere]), 1e-2);
-        let off = crate::basis::distance(&dense.coefficients, &exact.coefficients);
-        assert!(off < 5e-3, "{off:e}");
-    }
-
-    #[test]
-    fn world_triangles_are_transformed() {
-        let mesh = Mesh {
-            positions: vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-            triangles: vec![[2, 0, 1]],
-            ..Mesh::default()
-        };
-        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        assert_eq!(triangles(&mesh), [[z, x, y]]);
-        // A quarter turn about +Z takes x to y and y to -x; then twice as large, then moved.
-        let object = Object {
-            name: String::from("triangle"),
-            mesh,
-            material: Material {
-                albedo: [1.0; 3],
-                texture: None,
-            },
-            transform: Affine3A::from_scale_rotation_translation(
-                glam::Vec3::splat(2.0),
-                Quat::from_rotation_z(std::f32::consts::FRAC_PI_2),
-                glam::Vec3::new(10.0, 20.0, 30.0),
-            ),
-            spheres: Vec::new(),
-        };
-        let expected = [[10.0, 20.0, 32.0], [10.0, 22.0, 30.0], [8.0, 20.0, 30.0]];
-        let found = world_triangles(&object);
-        assert_eq!(found.len(), 1);
-        for (corner, expected) in found[0].iter().zip(expected) {
-            assert_close(corner, &expected, 1e-6);
-        }
-    }
-}
+mod tests;

@@ -4,7 +4,7 @@ use crate::Cache;
 use crate::load::{FitReport, Progress, Report, fit_all};
 use crate::shapes;
 use glam::{Affine3A, Quat, Vec3};
-use sh_scene::{Camera, Ground, Material, Mesh, Object, Scene, Settings, Sky};
+use sh_scene::{Camera, Ground, Material, Mesh, Object, Scene, Settings, Sky, SurfaceSamples};
 use std::f32::consts::{FRAC_PI_2, TAU};
 use std::time::Instant;
 
@@ -53,6 +53,7 @@ pub fn default_scene(
             },
             transform: Affine3A::from_quat(turn),
             spheres: fitted.set.spheres,
+            surface: SurfaceSamples::default(),
         };
         let lowest = object.bounds().map_or(0.0, |[low, _]| low.y);
         object.transform = Affine3A::from_rotation_translation(turn, place - Vec3::Y * lowest);

@@ -3,8 +3,10 @@
 //! - [`load_scene`] takes a scene file (or a mesh file) to a [`sh_scene::Scene`] and its
 //!   [`sh_scene::motion::Motion`]; [`default_scene`] needs no file.
 //! - [`load_mesh`] reads glTF and OBJ, [`load_environment`] HDR and EXR maps.
-//! - [`SphereSet::fit`] bounds any triangle mesh by a given number of spheres; a [`Cache`] keeps what loading fits.
+//! - [`SphereSet::fit`] bounds any triangle mesh by a given number of spheres; a [`Cache`] keeps what loading fits
+//!   and samples.
 //! - [`bind_spheres`] makes spheres follow a mesh that bends, [`grow_spheres`] lets them hold it.
+//! - [`bake_surface`] samples the surface around spheres, so that they can shine.
 //! - [`shapes`] are meshes made by code.
 //!
 //! Bad input is an [`Error`]: a sentence that names the file and what in it is wrong. Nothing is printed;
@@ -50,6 +52,11 @@
 //! albedo = [0.5, 0.5, 0.5]
 //! enabled = true               # false: no ground
 //!
+//! [indirect]                   # bodies light each other; they do not where nothing is said
+//! method = "spherical-lights"  # by their spheres; the only one there is
+//! bounces = 1                  # 1 to 16: how often light is sent on before it reaches what is seen
+//! blocking = "discs"           # what hides a light; "runs", "sphere", "object": sh_scene::Blocking
+//!
 //! [camera]                     # frames the objects where nothing is said
 //! eye = [3, 2, 5]
 //! target = [0, 1, 0]
@@ -69,6 +76,7 @@ mod default_scene;
 mod environment;
 mod error;
 mod gltf;
+mod indirect;
 mod keys;
 mod lights;
 mod load;
@@ -80,6 +88,7 @@ mod objects;
 mod scene_file;
 pub mod shapes;
 mod spheres;
+mod surface;
 
 pub use cache::Cache;
 pub use default_scene::default_scene;
@@ -89,6 +98,7 @@ pub use load::{FitReport, Loaded, Progress, Report, load_scene, load_scene_with}
 pub use mesh::{Figure, Model, Part, load_mesh};
 pub use motion::{ClipChoice, bind_spheres, grow_spheres};
 pub use spheres::{SphereSet, is_closed};
+pub use surface::{SurfaceReport, bake_surface};
 
 /// The albedo of a mesh that has none: a light grey.
 const WHITE: [f32; 3] = [0.8; 3];

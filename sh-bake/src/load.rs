@@ -5,11 +5,11 @@ use crate::mesh::{Model, load_mesh};
 use crate::motion::{self, ClipChoice, Rigs};
 use crate::objects::ObjectEntry;
 use crate::scene_file::SceneFile;
-use crate::{Cache, SphereSet, is_closed, load_environment};
+use crate::{Cache, SphereSet, SurfaceReport, is_closed, load_environment, surface};
 use glam::Vec3;
 use rayon::prelude::*;
 use sh_scene::motion::Motion;
-use sh_scene::{Camera, Ground, Mesh, Object, Scene, Sky};
+use sh_scene::{Camera, Ground, Mesh, Object, Scene, Sky, SurfaceSamples};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -34,12 +34,16 @@ pub struct Report {
     pub warnings: Vec<String>,
     /// The mesh files with their sphere sets, each mesh with the same count once.
     pub fits: Vec<FitReport>,
+    /// The surface samples of each body; empty where the scene has no indirect light.
+    pub surfaces: Vec<SurfaceReport>,
     /// What moves: sentences.
     pub moves: Vec<String>,
     /// Time for reading files, and for the sky where there is no map.
     pub read_time: Duration,
     /// Time for fitting all sphere sets.
     pub fit_time: Duration,
+    /// Time for sampling all surfaces.
+    pub surface_time: Duration,
 }
 
 /// A sphere set, as far as a person wants to know.
@@ -83,8 +87,8 @@ pub fn load_scene(path: &Path) -> Result<Loaded, Error> {
 }
 
 /// [`load_scene`] with a clip for a mesh file, telling `progress` how far it is: from several threads, in any
-/// order. With a cache, sphere sets that it has are taken from there, and others put into it; the scene is the same,
-/// bit by bit.
+/// order. With a cache, sphere sets and surface samples that it has are taken from there, and others put into it; the
+/// scene is the same, bit by bit.
 ///
 /// # Errors
 /// As [`load_scene`], and where the file has no such clip, or is a scene file and one is named.
@@ -173,6 +177,7 @@ pub fn load_scene_with(
     }
 
     let (mut objects, mut motion) = (Vec::new(), Motion::default());
+    let mut whole = Vec::new();
     let mut rigs = Rigs::default();
     for (entry, clip) in file.objects.iter().zip(clips) {
         let (first, mesh) = (objects.len(), entry.mesh.as_path());
@@ -185,6 +190,7 @@ pub fn load_scene_with(
             set = &moving.set;
         }
         objects.extend(bodies(entry, model, set));
+        whole.push(first..objects.len());
         if let Some(keys) = &entry.keys {
             let (name, seconds) = (file_name(mesh), keys.duration());
             report.moves.push(format!(
@@ -194,6 +200,12 @@ pub fn load_scene_with(
         }
     }
     report.fit_time = start.elapsed();
+    if file.settings.indirect.is_some() {
+        let start = Instant::now();
+        report.surfaces = surface::sample(&mut objects, &whole, cache, progress);
+        motion.add_surfaces(&objects);
+        report.surface_time = start.elapsed();
+    }
     let environment = if file.turn == 0.0 {
         environment.rotated(file.rotation).scaled(file.intensity)
     } else {
@@ -313,6 +325,7 @@ fn bodies(entry: &ObjectEntry, model: &Model, set: &SphereSet) -> Vec<Object> {
             material,
             transform,
             spheres,
+            surface: SurfaceSamples::default(),
         }
     };
     model.parts.iter().enumerate().map(body).collect()

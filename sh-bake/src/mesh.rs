@@ -48,7 +48,7 @@ const FARTHEST: f32 = 1e9;
 /// Loads a mesh file, glTF (.gltf, .glb) or Wavefront OBJ by the ending of its name.
 ///
 /// Of glTF, all triangle meshes of the default scene are taken with their nodes' transforms, in the pose the
-/// nodes are in, with base colour factor and texture; where the file has animations, these and what they move
+/// nodes are in, with base colour factor, texture and vertex colours (COLOR_0); where the file has animations, these and what they move
 /// too ([`Figure`]), but for morph targets. Of OBJ, faces are cut into triangles and material
 /// libraries are not read. Missing normals are computed: smooth, but for creases of more than 60°.
 ///
@@ -164,6 +164,8 @@ pub(crate) struct RawPart {
     pub(crate) normals: Vec<[f32; 3]>,
     /// As many as positions, or none.
     pub(crate) uvs: Vec<[f32; 2]>,
+    /// As many as positions, or none.
+    pub(crate) colors: Vec<[f32; 3]>,
     pub(crate) triangles: Vec<[u32; 3]>,
     pub(crate) material: Material,
     /// Where the part can move.
@@ -245,12 +247,17 @@ impl RawPart {
             if !self.uvs.is_empty() {
                 self.uvs = smoothed.source.iter().map(|i| self.uvs[taken(i)]).collect();
             }
+            if !self.colors.is_empty() {
+                let source = smoothed.source.iter();
+                self.colors = source.map(|i| self.colors[taken(i)]).collect();
+            }
             (self.normals, self.triangles) = (smoothed.normals, smoothed.triangles);
         }
         let mesh = Mesh {
             positions: self.positions,
             normals: self.normals,
             uvs: self.uvs,
+            colors: self.colors,
             triangles: self.triangles,
         };
         let part = Part {

@@ -33,6 +33,7 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<RawPart, Error> {
         positions: Vec::new(),
         normals: Vec::new(),
         uvs: Vec::new(),
+        colors: Vec::new(),
         triangles: Vec::new(),
         material: Material {
             albedo: crate::WHITE,

@@ -2,8 +2,8 @@
 
 use crate::error::{Error, read};
 use crate::keys::{Section, Source};
-use crate::lights;
 use crate::objects::ObjectEntry;
+use crate::{indirect, lights};
 use glam::Vec3;
 use sh_scene::{AreaLight, Camera, Limits, Settings};
 use std::ops::Range;
@@ -74,6 +74,7 @@ impl SceneFile {
             "lights",
             "environment",
             "ground",
+            "indirect",
             "camera",
             "settings",
         ];
@@ -123,6 +124,9 @@ impl SceneFile {
             scene.ground = s.boolean("enabled")?.unwrap_or(true);
             scene.ground_height = s.number("height", "of metres", |n| n.abs() < FAR)?;
             scene.ground_albedo = albedo(&s)?.unwrap_or(scene.ground_albedo);
+        }
+        if let Some(s) = section("indirect", &indirect::KEYS)? {
+            scene.settings.indirect = Some(indirect::read(&s)?);
         }
         if let Some(s) = section("camera", &["eye", "target", "fov"])? {
             scene.eye = s.triple("eye", "of metres", false, |n| n.abs() < FAR)?;
@@ -274,6 +278,7 @@ mod tests {
         assert_eq!(scene.lights.len(), 2);
         assert!(!scene.settings.half_resolution);
         assert_eq!(scene.settings.accumulation, 6);
+        assert_eq!(scene.settings.indirect, Some(Default::default()));
     }
 
     #[test]

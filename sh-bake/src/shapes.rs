@@ -3,6 +3,12 @@
 //! All are closed, stand upright about +Y with their centre in the origin, face outward, are smooth where
 //! the shape is smooth and split along hard edges.
 
+mod bend;
+mod merged;
+
+pub use bend::Bend;
+pub use merged::{Limb, merged};
+
 use glam::{Quat, Vec3};
 use sh_scene::Mesh;
 use std::collections::HashMap;
@@ -61,8 +67,8 @@ pub fn ball(radius: f32, levels: u32) -> Mesh {
     Mesh {
         positions,
         normals,
-        uvs: Vec::new(),
         triangles,
+        ..Mesh::default()
     }
 }
 

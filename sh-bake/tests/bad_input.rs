@@ -87,6 +87,17 @@ const WRONG: &[(&str, &[&str])] = &[
         "buffer_short.gltf",
         &["buffers[0].byteLength says 400 bytes, but there are 44"],
     ),
+    (
+        "color_nan.gltf",
+        &[
+            "mesh 0 (flag), primitive 0",
+            "COLOR_0: a vertex has the colour [0.5, NaN, 0.0], and colours have to be finite",
+        ],
+    ),
+    (
+        "color_type.gltf",
+        &["COLOR_0: accessor 1 holds Vec2 of F32, but Vec3 of"],
+    ),
     ("control_character.hdr", &["`32-bit\\u{1b}[31m\\u{0}`"]),
     (
         "control_character.obj",
@@ -323,6 +334,46 @@ const WRONG_SCENES: &[(&str, &str, &[&str])] = &[
         "fov_too_wide.toml",
         "",
         &["line 5", "camera.fov is 180", "from 1 to 170"],
+    ),
+    (
+        "indirect_blocking.toml",
+        "",
+        &[
+            "line 6: indirect.blocking is \"spheres\", but it has to be one of \"discs\", \"runs\", \"sphere\", \"object\".",
+        ],
+    ),
+    (
+        "indirect_bounces.toml",
+        "",
+        &["line 6: indirect.bounces is 0", "from 1 to 16"],
+    ),
+    (
+        "indirect_many_bounces.toml",
+        "",
+        &["line 6: indirect.bounces is 17", "from 1 to 16"],
+    ),
+    (
+        "indirect_method.toml",
+        "",
+        &[
+            "line 5: indirect.method is \"radiosity\"",
+            "\"spherical-lights\"",
+        ],
+    ),
+    (
+        "indirect_method_kind.toml",
+        "",
+        &["line 5: indirect.method has to be a string, not a number"],
+    ),
+    (
+        "indirect_no_method.toml",
+        "",
+        &["line 4: indirect.method is missing", "\"spherical-lights\""],
+    ),
+    (
+        "indirect_typo.toml",
+        "",
+        &["line 6: the key `bounce` is not known in [indirect]; did you mean `bounces`?"],
     ),
     (
         "key_typo.toml",

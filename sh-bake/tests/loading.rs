@@ -61,6 +61,33 @@ fn nodes_move_and_mirror_their_meshes() {
 }
 
 #[test]
+fn vertices_have_their_colours() {
+    let model = load_mesh(&good("colored.gltf")).unwrap();
+    let part = &model.parts[0];
+    assert_eq!(part.material.albedo, [0.5, 1.0, 0.25]);
+    let first = Vec3::from(part.mesh.colors[0]);
+    assert!(first.abs_diff_eq(Vec3::new(1.0, 0.0, 0.2), 1e-6));
+    assert_eq!(part.mesh.colors.len(), part.mesh.positions.len());
+    assert_eq!(model.warnings, [""; 0]);
+}
+
+#[test]
+fn reflectances_beyond_one_are_clamped_with_a_warning() {
+    let model = load_mesh(&good("too_bright.gltf")).unwrap();
+    let part = &model.parts[0];
+    assert_eq!(part.material.albedo, [0.5, 1.0, 0.0]);
+    assert_eq!(part.mesh.colors[0], [1.0, 0.5, 0.0]);
+    for (warning, what) in model.warnings.iter().zip(["baseColorFactor", "COLOR_0"]) {
+        let whole = warning.contains("too_bright.gltf: mesh 0 (flag), primitive 0: ");
+        assert!(
+            whole && warning.contains(what) && warning.contains("clamped"),
+            "{warning}"
+        );
+    }
+    assert_eq!(model.warnings.len(), 2);
+}
+
+#[test]
 fn a_skin_puts_the_mesh_where_its_joints_are() {
     let model = load_mesh(&good("skinned.gltf")).unwrap();
     // The joint's (0, 1, 5) after the inverse bind matrix' (0, -1, 0); the mesh's own node counts for
@@ -233,8 +260,8 @@ fn one_triangle_and_none_are_fitted_too() {
     let mesh = Mesh {
         positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
         normals: vec![[0.0, 0.0, 1.0]; 3],
-        uvs: Vec::new(),
         triangles: vec![[0, 1, 2]],
+        ..Mesh::default()
     };
     let set = SphereSet::fit(&[&mesh], 16);
     assert!(!set.spheres.is_empty());

@@ -88,27 +88,46 @@ fn add_all<'a, L: Lane + 'a, const C: usize>(
     [L; C]: Routines<L>,
 {
     for (seen, blocker) in blockers {
-        let weights = <[L; C]>::zonal_from(
-            #[inline(always)]
-            |l| seen.sine.lift(f64::from(blocker.weights[l])),
-        );
         // A sine of 0 adds exactly 0.
-        let Seen {
-            sine,
-            cosine,
-            direction,
-        } = *seen;
-        *sum = sum.accumulate_blocker(sine, cosine, direction, weights);
+        *sum = seen.added(sum, &blocker.weights);
     }
 }
 
 /// A blocker as the receiver sees it: sine and cosine of its angular radius (0..=90°), and the direction of
 /// its centre. A sine of 0 means that it does not count.
 #[derive(Clone, Copy)]
-struct Seen<L> {
-    sine: L,
-    cosine: L,
-    direction: [L; 3],
+pub(crate) struct Seen<L> {
+    pub(crate) sine: L,
+    pub(crate) cosine: L,
+    pub(crate) direction: [L; 3],
+}
+
+impl<L: Lane> Seen<L> {
+    /// A sphere for a group of receivers: `in_front`, if it lies wholly in front of their tangent planes.
+    #[inline(always)]
+    pub(crate) fn of(blocker: &Blocker, in_front: bool, position: [L; 3], normal: [L; 3]) -> Self {
+        let zero = position[0].lift(0.0);
+        let center = each(|k| zero.lift(f64::from(blocker.center[k])) - position[k]);
+        let radius = zero.lift(f64::from(blocker.radius));
+        if in_front {
+            as_it_is(center, radius)
+        } else {
+            replace(center, normal, dot(center, normal), radius)
+        }
+    }
+
+    /// `sum`, on the scale of [`Routines::accumulate_blocker`], plus this blocker with its weights.
+    #[inline(always)]
+    pub(crate) fn added<const C: usize>(&self, sum: &[L; C], weights: &[f32; 8]) -> [L; C]
+    where
+        [L; C]: Routines<L>,
+    {
+        let weights = <[L; C]>::zonal_from(
+            #[inline(always)]
+            |l| self.sine.lift(f64::from(weights[l])),
+        );
+        sum.accumulate_blocker(self.sine, self.cosine, self.direction, weights)
+    }
 }
 
 /// A sphere as it is. `center` is seen from the receiver.

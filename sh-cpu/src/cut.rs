@@ -24,6 +24,8 @@ pub struct Cuts {
 struct Cut {
     front: Vec<Blocker>,
     across: Vec<Blocker>,
+    /// Which nodes of the forest those in front are, and those across.
+    nodes: [Vec<u32>; 2],
     receivers: usize,
     ratios: Ratios,
     /// None where nothing is covered.
@@ -100,6 +102,16 @@ impl Cuts {
         }
     }
 
+    /// Which nodes of the forest the blockers of a cluster are: those in front, and those across.
+    pub(crate) fn nodes_of(&self, cluster: usize) -> [&[u32]; 2] {
+        self.cuts[cluster].nodes.each_ref().map(|nodes| &nodes[..])
+    }
+
+    /// Where a cluster is, if anything in it is covered.
+    pub(crate) fn bounds_of(&self, cluster: usize) -> Option<&Bounds> {
+        self.cuts[cluster].bounds.as_ref()
+    }
+
     /// How many clusters there are.
     pub fn clusters(&self) -> usize {
         self.cuts.len()
@@ -122,12 +134,15 @@ impl Cut {
         let Self {
             front,
             across,
+            nodes: [nodes_front, nodes_across],
             ratios,
             bounds,
             ..
         } = self;
         front.clear();
         across.clear();
+        nodes_front.clear();
+        nodes_across.clear();
         ratios.clear();
         let Some(bounds) = bounds else {
             return;
@@ -137,15 +152,16 @@ impl Cut {
         forest.cut(bounds.center, bounds.radius, limits, |at| {
             let node = &nodes[at];
             let side = bounds.side(node.center.into(), node.radius);
-            let (list, in_front) = match side {
+            let (list, names, in_front) = match side {
                 Side::Behind => return,
-                Side::Front => (&mut *front, true),
-                Side::Across => (&mut *across, false),
+                Side::Front => (&mut *front, &mut *nodes_front, true),
+                Side::Across => (&mut *across, &mut *nodes_across, false),
             };
             if !node.is_leaf(at) && options.ratios {
                 ratios.start(bounds.center, node, in_front, list.len());
                 details(bounds.center, nodes, at, limits.sin_min, ratios);
             }
+            names.push(at as u32);
             list.push(Blocker::new(Sphere {
                 center: node.center,
                 radius: node.radius,

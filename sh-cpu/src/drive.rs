@@ -26,12 +26,19 @@ pub(crate) const MAX_ORDER: usize = 6;
 
 /// What is computed for a receiver.
 pub(crate) trait Kernel: Sync {
+    /// What the groups of a chunk write over one after another: too large to be cleared for each.
+    type Room<L: Lane>;
+
+    /// It, with anything in it.
+    fn room<L: Lane>(zero: L) -> Self::Room<L>;
+
     /// Red, green and blue radiance reflected by albedo 1. `C` is the number of SH coefficients.
     fn shade<L: Group + OutlineAll + Outline<C>, const C: usize>(
         &self,
         at: &Place<L>,
         position: [L; 3],
         normal: [L; 3],
+        room: &mut Self::Room<L>,
     ) -> [L; 3]
     where
         [L; C]: Routines<L>;
@@ -219,12 +226,11 @@ pub(crate) struct Work<'a> {
     pub(crate) radiance: &'a mut [[f32; 3]],
 }
 
-/// Runs `kernel` for every receiver. Radiance is 0 where a receiver is not covered.
-pub(crate) fn drive<K: Kernel>(work: Work, light: &Light, kernel: &K) -> Result<(), Error> {
+/// Runs `kernel` with the coefficients of an order for every receiver. Radiance is 0 where a receiver is not covered.
+pub(crate) fn drive<K: Kernel>(work: Work, order: usize, kernel: &K) -> Result<(), Error> {
     check_length("radiance", work.receivers.len(), work.radiance.len())?;
-    check_light(light)?;
     check_clusters(work.clusters, work.receivers.len())?;
-    let run: fn(Path, Chunk, &K) = match light.order {
+    let run: fn(Path, Chunk, &K) = match order {
         2 => chunk_of!(K, 4),
         3 => chunk_of!(K, 9),
         4 => chunk_of!(K, 16),
@@ -335,6 +341,12 @@ impl<K: Kernel> Job for Groups<'_, K> {
         [G; C]: Routines<G>,
     {
         let Self { chunk, kernel } = self;
+        let zero = G::gather(
+            token,
+            #[inline(always)]
+            |_| 0.0,
+        );
+        let mut room = K::room(zero);
         let groups = chunk.receivers.chunks(G::COUNT);
         for (index, (receivers, radiance)) in
             groups.zip(chunk.radiance.chunks_mut(G::COUNT)).enumerate()
@@ -381,7 +393,7 @@ impl<K: Kernel> Job for Groups<'_, K> {
             };
             let position = [position(0), position(1), position(2)];
             let normal = [normal(0), normal(1), normal(2)];
-            let [red, green, blue] = kernel.shade::<G, C>(&place, position, normal);
+            let [red, green, blue] = kernel.shade::<G, C>(&place, position, normal, &mut room);
             let (red, green, blue) = (red.store(), green.store(), blue.store());
             let (red, green, blue) = (red.as_ref(), green.as_ref(), blue.as_ref());
             for (i, radiance) in radiance.iter_mut().enumerate() {

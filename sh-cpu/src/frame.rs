@@ -2,9 +2,11 @@
 
 use crate::gbuffer::{Gbuffer, check_view, gbuffer};
 use crate::irradiance::irradiance;
+use crate::light_gather::{LightGather, light_gather};
 use crate::resolve::{check_environment, resolve};
 use crate::shadow::{Shadow, shadow_clusters};
 use crate::upsample::{Failed, Halves, upsample};
+use crate::{Body, LightCutOptions, LightCuts, LightUpdate, SphericalLights};
 use crate::{CutOptions, Cuts, Error, Geometry, Path};
 use sh_scene::{Forest, Light, PassKind, Plan, Receiver, Resolution, Scene, Settings, Tiles, View};
 use std::ops::Range;
@@ -24,7 +26,8 @@ pub struct Frame {
     /// Linear Rec.709 radiance, row by row from the top.
     pub pixels: Vec<[f32; 3]>,
     /// Wall time of each stage, in the order they first ran: `hierarchy`, `light` and `forest`, which happen once, then
-    /// the passes of the plan by name, `cut` being the part of shadows and upsampling that finds blockers.
+    /// the passes of the plan by name, `cut` and `light_cut` being the
+    /// part that finds spheres.
     pub stages: Vec<(&'static str, Duration)>,
     /// Pairs of a receiver and a blocker of its cluster.
     pub pairs: usize,
@@ -49,10 +52,13 @@ impl Stages {
     }
 }
 
-/// The shadow pass of a picture, with its blockers and what it counts.
+/// The passes of a picture that look at spheres, with what these are and what is counted.
 struct Shadows<'a> {
     forest: Forest,
     cuts: Cuts,
+    /// What spheres send on, where they do.
+    lights: Option<SphericalLights>,
+    light_cuts: LightCuts,
     light: &'a Light,
     settings: Settings,
     pairs: usize,
@@ -95,6 +101,77 @@ impl Shadows<'_> {
             shadow_clusters(Path::best(), receivers, &shadow, radiance)
         })
     }
+
+    /// Lights the bodies' spheres.
+    fn update(&mut self, scene: &Scene, stages: &mut Stages) -> Result<(), Error> {
+        let Settings {
+            limits,
+            accumulation,
+            indirect,
+            ..
+        } = self.settings;
+        let update = LightUpdate {
+            indirect: indirect.unwrap_or_default(),
+            limits,
+            accumulation,
+        };
+        let mut lights = SphericalLights::default();
+        let bodies = scene.objects.iter().map(Body::from);
+        stages.time("light_update", || {
+            lights.update(Path::best(), bodies, &self.forest, self.light, update)
+        })?;
+        self.lights = Some(lights);
+        Ok(())
+    }
+
+    /// What spheres send to receivers; nothing where they send nothing on.
+    fn gather(
+        &mut self,
+        receivers: &[Receiver],
+        clusters: &[Range<usize>],
+        stages: &mut Stages,
+    ) -> Result<Vec<[f32; 3]>, Error> {
+        let Some(lights) = &self.lights else {
+            return Ok(Vec::new());
+        };
+        let Settings {
+            limits,
+            indirect,
+            order,
+            ..
+        } = self.settings;
+        let options = LightCutOptions {
+            cut: CutOptions {
+                limits,
+                ratios: true,
+                accumulation: order,
+            },
+            blocking: indirect.unwrap_or_default().blocking,
+        };
+        let (path, cuts) = (Path::best(), &mut self.light_cuts);
+        stages.time("light_cut", || {
+            cuts.find(path, receivers, clusters, &self.forest, lights, options);
+        });
+        let mut sent = vec![[0.0; 3]; receivers.len()];
+        let gather = LightGather {
+            clusters,
+            cuts,
+            lights,
+        };
+        stages.time("light_gather", || {
+            light_gather(path, receivers, &gather, &mut sent)
+        })?;
+        Ok(sent)
+    }
+}
+
+/// Adds what was sent, if anything was.
+fn add(radiance: &mut [[f32; 3]], sent: &[[f32; 3]]) {
+    for (radiance, sent) in radiance.iter_mut().zip(sent) {
+        for (radiance, sent) in radiance.iter_mut().zip(sent) {
+            *radiance += sent;
+        }
+    }
 }
 
 /// Renders `scene` by `plan`, `size` = (width, height) in pixels.
@@ -124,16 +201,23 @@ pub fn render(
     let geometry = stages.time("hierarchy", || Geometry::new(scene))?;
     let light = stages.time("light", || scene.light())?;
     let mut shadows = Shadows {
-        forest: stages.time("forest", || match plan.has(PassKind::Shadow) {
-            true => scene.forest(),
-            false => Forest::default(),
+        forest: stages.time("forest", || {
+            match plan.has(PassKind::Shadow) || plan.has(PassKind::LightUpdate) {
+                true => scene.forest(),
+                false => Forest::default(),
+            }
         }),
         cuts: Cuts::default(),
+        lights: None,
+        light_cuts: LightCuts::default(),
         light: &light,
         settings: scene.settings,
         pairs: 0,
         shadowed: 0,
     };
+    if plan.has(PassKind::LightUpdate) {
+        shadows.update(scene, &mut stages)?;
+    }
     let halves = match plan.has(PassKind::Upsample) {
         true => half(&geometry, &view, &mut shadows, &mut stages)?,
         false => Halves::default(),
@@ -151,6 +235,8 @@ pub fn render(
         let rows = first..(first + BAND).min(tile_rows);
         for pass in plan.passes.iter().filter(|p| p.at != Resolution::Halves) {
             match pass.kind {
+                // Once a frame, before all bands.
+                PassKind::LightUpdate => {}
                 PassKind::Gbuffer => {
                     let (rows, grid) = (rows.clone(), view.samples());
                     stages.time("gbuffer", || {
@@ -169,6 +255,15 @@ pub fn render(
                     let clusters = tiles.clusters();
                     shadows.shade(&samples.receivers, &clusters, &mut radiance, &mut stages)?;
                 }
+                PassKind::LightGather => {
+                    let tiles = Tiles {
+                        rows: rows.len() as u32,
+                        ..view.samples().tiles()
+                    };
+                    let sent =
+                        shadows.gather(&samples.receivers, &tiles.clusters(), &mut stages)?;
+                    add(&mut radiance, &sent);
+                }
                 PassKind::Upsample => {
                     stages.time("upsample", || {
                         irradiance(&samples.receivers, &light, &mut radiance)?;
@@ -182,6 +277,8 @@ pub fn render(
                         ..
                     } = &failed;
                     shadows.shade(receivers, clusters, &mut anew, &mut stages)?;
+                    let sent = shadows.gather(receivers, clusters, &mut stages)?;
+                    add(&mut anew, &sent);
                     for (&index, light) in failed.indices.iter().zip(&anew) {
                         radiance[index as usize] = *light;
                     }
@@ -227,10 +324,15 @@ fn half(
     let receivers = seen.receivers;
     let mut shadowed = vec![[0.0; 3]; receivers.len()];
     shadows.shade(&receivers, &tiles.clusters(), &mut shadowed, stages)?;
+    let sent = shadows.gather(&receivers, &tiles.clusters(), stages)?;
     stages.time("upsample", || {
         let mut open = vec![[0.0; 3]; receivers.len()];
         irradiance(&receivers, shadows.light, &mut open)?;
-        Halves::new(receivers, &shadowed, &open)
+        let halves = Halves::new(receivers, &shadowed, &open)?;
+        match sent.is_empty() {
+            true => Ok(halves),
+            false => halves.with_sent(sent),
+        }
     })
 }
 

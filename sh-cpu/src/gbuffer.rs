@@ -2,7 +2,6 @@
 
 use crate::Error;
 use crate::geometry::Geometry;
-use crate::texture::texture_color;
 use glam::Vec3A;
 use rayon::prelude::*;
 use sh_scene::{Grid, Receiver, Tiles, View};
@@ -121,9 +120,10 @@ fn look(geometry: &Geometry, eye: Vec3A, direction: Vec3A) -> Option<(Receiver, 
     let material = &geometry.scene.objects[hit.object as usize].material;
     let albedo = Vec3A::from(material.albedo);
     let albedo = match (&material.texture, hit.uv) {
-        (Some(texture), Some(uv)) => albedo * texture_color(texture, uv),
+        (Some(texture), Some(uv)) => albedo * texture.color(uv),
         _ => albedo,
     };
+    let albedo = hit.color.map_or(albedo, |color| albedo * color);
     let receiver = Receiver {
         position: hit.position.into(),
         covered: 1,

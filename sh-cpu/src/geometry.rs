@@ -44,6 +44,8 @@ pub struct Hit {
     pub object: u32,
     /// Texture coordinates, where the mesh has them.
     pub uv: Option<[f32; 2]>,
+    /// What the albedo is multiplied with, where the mesh has colours.
+    pub color: Option<Vec3A>,
 }
 
 /// The box of a triangle, a little larger: the hierarchy's slab test rounds, and a ray through an edge must
@@ -185,12 +187,17 @@ impl<'a> Geometry<'a> {
             let [u, v, w] = indices.map(|i| object.mesh.uvs[i]);
             core::array::from_fn(|k| u[k] * weights[0] + v[k] * weights[1] + w[k] * weights[2])
         });
+        let color = (!object.mesh.colors.is_empty()).then(|| {
+            let [u, v, w] = indices.map(|i| Vec3A::from_array(object.mesh.colors[i]));
+            u * weights[0] + v * weights[1] + w * weights[2]
+        });
         Hit {
             distance,
             position: a * weights[0] + b * weights[1] + c * weights[2],
             normal,
             object: source.object,
             uv,
+            color,
         }
     }
 }
@@ -251,6 +258,12 @@ fn check(object: &Object) -> Result<(), String> {
         return Err(format!(
             "{vertices} positions but {} texture coordinates; each position needs one, or none has",
             mesh.uvs.len()
+        ));
+    }
+    if !mesh.colors.is_empty() && mesh.colors.len() != vertices {
+        return Err(format!(
+            "{vertices} positions but {} colours; each position needs one, or none has",
+            mesh.colors.len()
         ));
     }
     if let Some(at) = mesh.positions.iter().flatten().position(|c| !c.is_finite()) {

@@ -1,6 +1,6 @@
 //! The irradiance pass: light that nothing blocks.
 
-use crate::drive::{Group, Kernel, Place, Work, drive};
+use crate::drive::{Group, Kernel, Place, Work, check_light, drive};
 use crate::outline::{Outline, OutlineAll};
 use crate::shadow::with_emitters;
 use crate::{Error, Path};
@@ -37,6 +37,7 @@ pub fn irradiance_on(
     light: &Light,
     radiance: &mut [[f32; 3]],
 ) -> Result<(), Error> {
+    check_light(light)?;
     let all = 0..receivers.len();
     let work = Work {
         path,
@@ -44,7 +45,7 @@ pub fn irradiance_on(
         clusters: std::slice::from_ref(&all),
         radiance,
     };
-    drive(work, light, &Unblocked { light })
+    drive(work, light.order, &Unblocked { light })
 }
 
 struct Unblocked<'a> {
@@ -52,12 +53,18 @@ struct Unblocked<'a> {
 }
 
 impl Kernel for Unblocked<'_> {
+    type Room<L: Lane> = ();
+
+    #[inline(always)]
+    fn room<L: Lane>(_: L) {}
+
     #[inline(always)]
     fn shade<L: Group + OutlineAll + Outline<C>, const C: usize>(
         &self,
         _: &Place<L>,
         position: [L; 3],
         normal: [L; 3],
+        (): &mut (),
     ) -> [L; 3]
     where
         [L; C]: Routines<L>,

@@ -6,10 +6,12 @@
 //! one function per lane type that enters its instruction set by itself; the call passes vectors through
 //! memory, which costs little beside the routine.
 
+use crate::SphericalLights;
 use crate::accumulate::{Blockers, accumulated};
 use crate::emitters::emitted;
-use crate::lanes::Lanes1;
-use crate::lanes::{Lanes4, Lanes8, Lanes16};
+use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
+use crate::light_cut::LightCut;
+use crate::light_gather::{Disc, KEPT, discs, sums};
 use crate::ratio::ratio_logs;
 use fearless_simd::Simd;
 use sh_core::{Lane, Routines};
@@ -46,6 +48,23 @@ where
         open: &[Self; C],
         position: [Self; 3],
         emitters: &[Emitter],
+    ) -> [Self; 3];
+
+    /// Radiance in three channels that a cut's spheres send on, whose visibilities are those of discs.
+    fn gathered_discs(
+        position: [Self; 3],
+        normal: [Self; 3],
+        cut: &LightCut,
+        lights: &SphericalLights,
+        kept: &mut [Disc<Self>; KEPT],
+    ) -> [Self; 3];
+
+    /// The same with visibilities that are differences of exponentials.
+    fn gathered_sums(
+        position: [Self; 3],
+        normal: [Self; 3],
+        cut: &LightCut,
+        lights: &SphericalLights,
     ) -> [Self; 3];
 }
 
@@ -108,6 +127,35 @@ macro_rules! routines {
                 position[0],
                 #[inline(always)]
                 || emitted(transfer, open, position, emitters),
+            )
+        }
+
+        #[$inline]
+        fn gathered_discs(
+            position: [Self; 3],
+            normal: [Self; 3],
+            cut: &LightCut,
+            lights: &SphericalLights,
+            kept: &mut [Disc<Self>; KEPT],
+        ) -> [Self; 3] {
+            $enter(
+                position[0],
+                #[inline(always)]
+                || discs::<Self, $c>(position, normal, cut, lights, kept),
+            )
+        }
+
+        #[$inline]
+        fn gathered_sums(
+            position: [Self; 3],
+            normal: [Self; 3],
+            cut: &LightCut,
+            lights: &SphericalLights,
+        ) -> [Self; 3] {
+            $enter(
+                position[0],
+                #[inline(always)]
+                || sums::<Self, $c>(position, normal, cut, lights),
             )
         }
     };

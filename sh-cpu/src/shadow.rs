@@ -25,7 +25,7 @@ use crate::irradiance::{reflected, unblocked};
 use crate::outline::{Outline, OutlineAll};
 use crate::{Cuts, Error, Path};
 use rayon::prelude::*;
-use sh_core::Routines;
+use sh_core::{Lane, Routines};
 use sh_scene::{Light, Receiver, Sphere};
 use std::ops::Range;
 
@@ -122,7 +122,7 @@ pub fn shadow_clusters(
         clusters: shadow.clusters,
         radiance,
     };
-    drive(work, light, shadow)
+    drive(work, light.order, shadow)
 }
 
 fn check_accumulation(order: usize, accumulation: usize) -> Result<(), Error> {
@@ -189,12 +189,18 @@ pub fn bake(
 }
 
 impl Kernel for Shadow<'_> {
+    type Room<L: Lane> = ();
+
+    #[inline(always)]
+    fn room<L: Lane>(_: L) {}
+
     #[inline(always)]
     fn shade<L: Group + OutlineAll + Outline<C>, const C: usize>(
         &self,
         place: &Place<L>,
         position: [L; 3],
         normal: [L; 3],
+        (): &mut (),
     ) -> [L; 3]
     where
         [L; C]: Routines<L>,

@@ -17,6 +17,8 @@ pub struct Halves {
     pub receivers: Vec<Receiver>,
     /// The share of its light that each receiver gets through the blockers, in three channels.
     pub shares: Vec<[f32; 3]>,
+    /// Radiance that comes by way of other bodies, which is no share of anything: of each receiver, or none at all.
+    pub sent: Vec<[f32; 3]>,
 }
 
 impl Halves {
@@ -38,7 +40,20 @@ impl Halves {
             })
         };
         let shares = shadowed.iter().zip(open).map(share).collect();
-        Ok(Self { receivers, shares })
+        Ok(Self {
+            receivers,
+            shares,
+            sent: Vec::new(),
+        })
+    }
+
+    /// With the radiance that comes by way of other bodies.
+    ///
+    /// # Errors
+    /// Where there is not one of each for a receiver.
+    pub fn with_sent(self, sent: Vec<[f32; 3]>) -> Result<Self, Error> {
+        check_length("sent", self.receivers.len(), sent.len())?;
+        Ok(Self { sent, ..self })
     }
 }
 
@@ -73,6 +88,9 @@ pub fn upsample(
     let count = across * rows.len() * Tiles::AREA;
     check_length("halves.receivers", tiles.len(), halves.receivers.len())?;
     check_length("halves.shares", tiles.len(), halves.shares.len())?;
+    if !halves.sent.is_empty() {
+        check_length("halves.sent", tiles.len(), halves.sent.len())?;
+    }
     check_length("samples.receivers", count, samples.receivers.len())?;
     check_length("radiance", count, radiance.len())?;
     failed.flags.clear();
@@ -81,12 +99,12 @@ pub fn upsample(
     let eye = Vec3A::from(view.camera.eye);
     let cell = footprint(view);
     let steps = grid.spacing / fine.spacing;
-    let four = |x: u32, y: u32, sample: &Receiver| {
+    // The share of its own light, and the radiance sent by others, of a sample whose light is `open`.
+    let four = |x: u32, y: u32, sample: &Receiver, open: Vec3A| {
         let place = |i: u32| (i as f32 + 0.5) / steps - 0.5;
         let (hx, hy) = (place(x), place(y));
         let (left, top) = (hx.floor(), hy.floor());
-        let mut sum = Vec3A::ZERO;
-        let (mut total, mut low, mut high) = (0.0, Vec3A::INFINITY, Vec3A::NEG_INFINITY);
+        let (mut total, mut shares, mut sent) = (0.0, Mean::default(), Mean::default());
         for corner in 0..4 {
             let (i, j) = (left + (corner % 2) as f32, top + (corner / 2) as f32);
             if i < 0.0 || j < 0.0 || i >= grid.columns as f32 || j >= grid.rows as f32 {
@@ -95,16 +113,15 @@ pub fn upsample(
             let at = tiles.index(i as u32, j as u32);
             let weight = (1.0 - (hx - i).abs()) * (1.0 - (hy - j).abs());
             let weight = weight * alike(sample, &halves.receivers[at], eye, cell);
-            let share = Vec3A::from(halves.shares[at]);
-            sum += weight * share;
             total += weight;
-            if weight > CORNER {
-                low = low.min(share);
-                high = high.max(share);
-            }
+            shares.add(weight, halves.shares[at]);
+            sent.add(weight, halves.sent.get(at).copied().unwrap_or_default());
         }
-        let spread = (high - low).max_element();
-        (total >= MIN_WEIGHT && spread <= MAX_SPREAD).then(|| sum / total)
+        // What is sent differs too much if it does so against all light.
+        let light = (open + sent.high).max(Vec3A::splat(f32::MIN_POSITIVE));
+        let spread = shares.spread().max(sent.spread() / light).max_element();
+        (total >= MIN_WEIGHT && spread <= MAX_SPREAD)
+            .then(|| (shares.sum / total, sent.sum / total))
     };
     radiance
         .par_chunks_mut(Tiles::AREA)
@@ -120,14 +137,47 @@ pub fn upsample(
                     continue;
                 }
                 let (x, y) = (left + i as u32 % side, top + i as u32 / side);
-                match four(x, y, sample) {
-                    Some(share) => radiance[i] = (Vec3A::from(radiance[i]) * share).into(),
+                let open = Vec3A::from(radiance[i]);
+                match four(x, y, sample, open) {
+                    Some((share, sent)) => radiance[i] = (open * share + sent).into(),
                     None => flags[i] = true,
                 }
             }
         });
     failed.gather(samples);
     Ok(())
+}
+
+/// A weighted sum of corners, and the range of those that count.
+struct Mean {
+    sum: Vec3A,
+    low: Vec3A,
+    high: Vec3A,
+}
+
+impl Default for Mean {
+    fn default() -> Self {
+        Self {
+            sum: Vec3A::ZERO,
+            low: Vec3A::INFINITY,
+            high: Vec3A::NEG_INFINITY,
+        }
+    }
+}
+
+impl Mean {
+    fn add(&mut self, weight: f32, value: [f32; 3]) {
+        let value = Vec3A::from(value);
+        self.sum += weight * value;
+        if weight > CORNER {
+            self.low = self.low.min(value);
+            self.high = self.high.max(value);
+        }
+    }
+
+    fn spread(&self) -> Vec3A {
+        self.high - self.low
+    }
 }
 
 impl Failed {

@@ -161,8 +161,8 @@ fn seen_from_behind_an_open_mesh_shows_its_other_side() {
     let mesh = Mesh {
         positions: vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]],
         normals: vec![[0.0, 0.0, 1.0]; 3],
-        uvs: vec![],
         triangles: vec![[0, 1, 2]],
+        ..Mesh::default()
     };
     let scene = scene(vec![object(mesh, Affine3A::IDENTITY)]);
     let geometry = Geometry::new(&scene).unwrap();
@@ -182,8 +182,8 @@ fn a_normal_that_leans_away_on_a_front_face_is_left_alone() {
     let mesh = Mesh {
         positions: vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]],
         normals: vec![bent.into(); 3],
-        uvs: vec![],
         triangles: vec![[0, 1, 2]],
+        ..Mesh::default()
     };
     let scene = scene(vec![object(mesh, Affine3A::IDENTITY)]);
     let geometry = Geometry::new(&scene).unwrap();
@@ -211,6 +211,33 @@ fn textures_multiply_the_albedo() {
     assert!(upper[0] > 0.45 && upper[2] < 0.1, "{upper:?}");
     assert!(lower[2] > 0.9 && lower[0] < 0.05, "{lower:?}");
     assert_eq!(at(0, 0), [0.0; 3]);
+}
+
+#[test]
+fn vertex_colours_multiply_the_albedo() {
+    let mut mesh = sphere_mesh(1.0, 48);
+    mesh.colors = mesh
+        .positions
+        .iter()
+        .map(|p| p.map(|c| 0.5 + 0.5 * c))
+        .collect();
+    let mut body = object(mesh, Affine3A::IDENTITY);
+    body.material.albedo = [0.5, 1.0, 1.0];
+    let (_, samples) = shoot(&scene(vec![body]), 40, 40);
+    let mut covered = 0;
+    for (receiver, albedo) in samples.receivers.iter().zip(&samples.albedo) {
+        if receiver.covered == 1 {
+            // Linear in the position, so that interpolating it is exact.
+            let color = Vec3::from(receiver.position) * 0.5 + 0.5;
+            let expected = color * vec3(0.5, 1.0, 1.0);
+            assert!(
+                expected.distance(Vec3::from(*albedo)) < 1e-5,
+                "{receiver:?}: {albedo:?}"
+            );
+            covered += 1;
+        }
+    }
+    assert!(covered > 300, "{covered}");
 }
 
 #[test]
@@ -245,8 +272,8 @@ fn an_empty_scene_has_nothing_to_hit() {
     let flat = Mesh {
         positions: vec![[1.0, 0.0, 0.0]; 3],
         normals: vec![[0.0, 1.0, 0.0]; 3],
-        uvs: vec![],
         triangles: vec![[0, 1, 2]],
+        ..Mesh::default()
     };
     let (_, samples) = shoot(&scene(vec![object(flat, Affine3A::IDENTITY)]), 8, 8);
     assert!(samples.receivers.iter().all(|r| r.covered == 0));

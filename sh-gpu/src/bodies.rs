@@ -78,7 +78,7 @@ impl Bodies {
         Ok(())
     }
 
-    /// Uploads the meshes' positions, normals and texture coordinates anew, for what is submitted next: of a scene
+    /// Uploads the meshes' positions, normals, texture coordinates and colours anew, for what is submitted next: of a scene
     /// that bends. `scene` must hold the objects that were uploaded, in that order, with as many vertices.
     pub fn update_meshes(&self, queue: &Queue, scene: &Scene) -> Result<(), Error> {
         let (count, uploaded) = (scene.objects.len(), self.drawn.len());
@@ -146,6 +146,12 @@ fn check(device: &Device, object: &Object) -> Result<(), String> {
             mesh.uvs.len()
         ));
     }
+    if !mesh.colors.is_empty() && mesh.colors.len() != vertices {
+        return Err(format!(
+            "has {} colours for {vertices} vertices",
+            mesh.colors.len()
+        ));
+    }
     if let Some(index) = mesh
         .triangles
         .as_flattened()
@@ -194,6 +200,7 @@ fn vertices(mesh: &Mesh) -> Vec<Vertex> {
             position: *position,
             normal: *normal,
             uv: mesh.uvs.get(i).copied().unwrap_or_default(),
+            color: mesh.colors.get(i).copied().unwrap_or([1.0; 3]),
         })
         .collect()
 }

@@ -14,13 +14,27 @@ pub(crate) struct Buffers {
     receivers: Buffer,
     albedo: Buffer,
     radiance: Buffer,
-    /// Receivers and radiance.
-    halves: Option<[Buffer; 2]>,
+    halves: Option<Half>,
     pub picture: Buffer,
 }
 
+/// What is kept at half resolution.
+#[derive(Debug)]
+struct Half {
+    receivers: Buffer,
+    radiance: Buffer,
+    /// Radiance that spheres send, where they do.
+    sent: Option<Buffer>,
+}
+
 impl Buffers {
-    pub fn new(device: &Device, bands: &Bands, halves: Option<&Bands>) -> Result<Self, Error> {
+    /// `sent`: whether spheres send light on.
+    pub fn new(
+        device: &Device,
+        bands: &Bands,
+        halves: Option<&Bands>,
+        sent: bool,
+    ) -> Result<Self, Error> {
         let most = device.limits().max_buffer_size;
         let buffer = |name: &'static str, size: u64, usage: BufferUsages| {
             Error::within(name, size, "max_buffer_size", most)?;
@@ -39,10 +53,13 @@ impl Buffers {
         let halves = match halves {
             Some(bands) => {
                 let count = all(bands, &|band| bands.receivers(band));
-                Some([
-                    buffer("receivers at half resolution", count * RECEIVER, none)?,
-                    buffer("radiance at half resolution", count * COLOR, none)?,
-                ])
+                let name = "light that is sent, at half resolution";
+                let sent = sent.then(|| buffer(name, count * COLOR, BufferUsages::COPY_DST));
+                Some(Half {
+                    receivers: buffer("receivers at half resolution", count * RECEIVER, none)?,
+                    radiance: buffer("radiance at half resolution", count * COLOR, none)?,
+                    sent: sent.transpose()?,
+                })
             }
             None => None,
         };
@@ -68,10 +85,20 @@ impl Buffers {
 
     /// Receivers, albedo and radiance of a band at half resolution, or none where there is no such thing.
     pub fn half_band(&self, halves: &Bands, band: u32) -> Option<[BufferBinding<'_>; 3]> {
-        let count = halves.receivers(band);
+        let albedo = part(&self.albedo, 0, halves.receivers(band) * COLOR);
+        let half = self.half(halves, band)?;
+        Some([half.receivers, albedo, half.shares])
+    }
+
+    /// All there is of a band at half resolution.
+    pub fn half(&self, halves: &Bands, band: u32) -> Option<HalfBinding<'_>> {
         let before = (0..band).map(|band| halves.receivers(band)).sum();
-        let HalfBinding { receivers, shares } = self.half_part(before, count)?;
-        Some([receivers, part(&self.albedo, 0, count * COLOR), shares])
+        self.half_part(before, halves.receivers(band))
+    }
+
+    /// What spheres send at half resolution.
+    pub fn half_sent(&self) -> Option<&Buffer> {
+        self.halves.as_ref()?.sent.as_ref()
     }
 
     /// What lies at half resolution under a band of samples.
@@ -85,10 +112,12 @@ impl Buffers {
     }
 
     fn half_part(&self, first: u64, count: u64) -> Option<HalfBinding<'_>> {
-        let [receivers, shares] = self.halves.as_ref()?;
+        let half = self.halves.as_ref()?;
+        let color = |buffer| part(buffer, first * COLOR, count * COLOR);
         Some(HalfBinding {
-            receivers: part(receivers, first * RECEIVER, count * RECEIVER),
-            shares: part(shares, first * COLOR, count * COLOR),
+            receivers: part(&half.receivers, first * RECEIVER, count * RECEIVER),
+            shares: color(&half.radiance),
+            sent: half.sent.as_ref().map(color),
         })
     }
 

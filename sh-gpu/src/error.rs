@@ -39,6 +39,30 @@ pub enum Error {
         /// How many fit.
         capacity: u32,
     },
+    /// Bodies that do not have the spheres of the tree of blockers.
+    #[error(
+        "the bodies have {count} spheres, but the tree of blockers has {expected}; they have to be the same ones"
+    )]
+    Spheres {
+        /// How many all bodies have together.
+        count: usize,
+        /// How many leaves the tree has.
+        expected: usize,
+    },
+    /// Other points on bodies' surfaces than the pass was made for.
+    #[error(
+        "the bodies have {count} spheres with {points} surface points, but the pass was made for {spheres} with {expected}"
+    )]
+    Points {
+        /// How many spheres there are.
+        count: usize,
+        /// How many points they have.
+        points: usize,
+        /// How many spheres there were.
+        spheres: usize,
+        /// How many points they had.
+        expected: usize,
+    },
     /// More analytic lights than the pass has room for.
     #[error("{count} analytic lights do not fit the {capacity} that the pass was made for")]
     Emitters {

@@ -262,6 +262,7 @@ fn raster(
         attribute(0, 0, VertexFormat::Float32x3),
         attribute(1, 12, VertexFormat::Float32x3),
         attribute(2, 24, VertexFormat::Float32x2),
+        attribute(3, 32, VertexFormat::Float32x3),
     ];
     let vertices = Some(wgpu::VertexBufferLayout {
         array_stride: size_of::<Vertex>() as u64,

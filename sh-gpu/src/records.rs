@@ -86,6 +86,34 @@ impl UpsampleRule {
     };
 }
 
+/// `struct BlockingRule`: which spheres hide which.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct BlockingRule {
+    /// 1 where bodies hide each other as a whole, 0 where their spheres do one by one.
+    pub by_bodies: u32,
+}
+
+/// `struct Sender`: a sphere that sends light on.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Sender {
+    /// World from object space.
+    pub world_from_object: Mat4,
+    /// The rotation in that, as a unit quaternion (x, y, z, w).
+    pub turn: [f32; 4],
+    /// World from the frame of the sphere's directions, a unit quaternion.
+    pub frame: [f32; 4],
+    /// Its first point.
+    pub first: u32,
+    /// How many it has.
+    pub count: u32,
+    /// The index of its body, which receivers carry.
+    pub object: u32,
+    /// Which node of the tree of blockers it is.
+    pub node: u32,
+}
+
 /// `struct Body`: where a body stands and how it reflects.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -98,7 +126,7 @@ pub struct Body {
     pub object: u32,
 }
 
-/// A vertex of a body, as the G-buffer pass reads it: 32 bytes.
+/// A vertex of a body, as the G-buffer pass reads it: 44 bytes.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct Vertex {
@@ -108,4 +136,6 @@ pub struct Vertex {
     pub normal: [f32; 3],
     /// Texture coordinates.
     pub uv: [f32; 2],
+    /// What the albedo is multiplied with.
+    pub color: [f32; 3],
 }

@@ -1,8 +1,8 @@
 //! A whole frame: the passes of a plan, band by band, recorded into the caller's encoder.
 
 use crate::buffers::Buffers;
-use crate::stages::{Setup, Stage, Work, is_half, shadow_pass};
-use crate::{Bands, Bodies, Error, ShadowPass};
+use crate::stages::{Setup, Stage, Work, is_half, sends, shadow_pass};
+use crate::{Bands, Bodies, Error, LightGatherPass, Shading, ShadowPass, Shining};
 use sh_scene::{EnvironmentMap, Forest, Light, PassKind, Plan, Scene, View};
 use wgpu::{Buffer, CommandEncoder, ComputePassTimestampWrites, Device, QuerySet, Queue};
 
@@ -13,7 +13,8 @@ use wgpu::{Buffer, CommandEncoder, ComputePassTimestampWrites, Device, QuerySet,
 ///
 /// The picture is worked off in horizontal bands ([`Bands`]): G-buffer, receivers and radiance exist for
 /// one band at a time, and the bands follow each other in the encoder. Passes at half resolution come first, band by
-/// band as well; what they make is kept of the whole picture, 12 bytes a pixel.
+/// band as well; what they make is kept of the whole picture, 12 bytes a pixel, or 16 where spheres send light on.
+/// What these send is found before all bands.
 #[derive(Debug)]
 pub struct Renderer {
     bands: Bands,
@@ -21,6 +22,7 @@ pub struct Renderer {
     bodies: Bodies,
     /// One for all passes that shade.
     shadow: Option<ShadowPass>,
+    gather: Option<LightGatherPass>,
     stages: Vec<Stage>,
     picture: Buffer,
 }
@@ -28,6 +30,8 @@ pub struct Renderer {
 /// What is recorded of a stage at once.
 #[derive(Clone, Copy)]
 enum Step {
+    /// All of it, before all bands.
+    Once,
     /// One of its bands.
     Band(u32),
     /// The shares of one band at half resolution, before the first band of samples.
@@ -63,7 +67,14 @@ impl Renderer {
         };
         let bands = bands(view.samples())?;
         let shadow = shadow_pass(device, scene, plan)?;
-        let buffers = Buffers::new(device, &bands, halves.as_ref())?;
+        let gather = match &shadow {
+            Some(shadow) if sends(plan) => {
+                let blocking = scene.settings.indirect.unwrap_or_default().blocking;
+                Some(LightGatherPass::new(device, shadow, blocking)?)
+            }
+            _ => None,
+        };
+        let buffers = Buffers::new(device, &bands, halves.as_ref(), gather.is_some())?;
         let setup = Setup {
             device,
             queue,
@@ -71,6 +82,7 @@ impl Renderer {
             bands: &bands,
             halves: halves.as_ref(),
             shadow: shadow.as_ref(),
+            gather: gather.as_ref(),
             buffers: &buffers,
         };
         let stages = plan.passes.iter().map(|pass| setup.stage(pass));
@@ -81,6 +93,7 @@ impl Renderer {
             bands,
             halves,
             shadow,
+            gather,
         })
     }
 
@@ -105,18 +118,32 @@ impl Renderer {
         if let Some(shadow) = &self.shadow {
             shadow.prepare(queue, blockers, scene.settings.limits, light)?;
         }
+        if let Some(gather) = &self.gather {
+            let spheres = scene.objects.iter().map(|object| object.spheres.len());
+            gather.prepare(queue, blockers, spheres)?;
+        }
         for stage in &self.stages {
-            if let Work::Irradiance { pass, .. } = &stage.work {
-                pass.prepare(queue, light)?;
+            match &stage.work {
+                Work::Irradiance { pass, .. } => pass.prepare(queue, light)?,
+                Work::LightUpdate { pass } => {
+                    pass.prepare(queue, scene.objects.iter().map(Shining::from), blockers)?;
+                }
+                _ => {}
             }
         }
         Ok(())
     }
 
-    /// Uploads the meshes' vertices anew, where [`prepare`](Self::prepare) alone does not do: in a scene that
-    /// bends.
+    /// Uploads the meshes' vertices and surface points anew, where [`prepare`](Self::prepare) alone does not do: in a
+    /// scene that bends.
     pub fn update_meshes(&self, queue: &Queue, scene: &Scene) -> Result<(), Error> {
-        self.bodies.update_meshes(queue, scene)
+        self.bodies.update_meshes(queue, scene)?;
+        for stage in &self.stages {
+            if let Work::LightUpdate { pass } = &stage.work {
+                pass.update_surfaces(queue, scene.objects.iter().map(Shining::from))?;
+            }
+        }
+        Ok(())
     }
 
     /// Uploads the environment map anew, of the size it had: where it turns or changes.
@@ -147,7 +174,13 @@ impl Renderer {
     /// All there is to record, in order.
     fn steps(&self) -> impl Iterator<Item = (&Stage, Step)> {
         let half_bands = self.halves.as_ref().map_or(0, Bands::count);
-        let stages = |half: bool| self.stages.iter().filter(move |stage| stage.half == half);
+        let once = |stage: &&Stage| stage.kind == PassKind::LightUpdate;
+        let updates = self.stages.iter().filter(once);
+        let updates = updates.map(|stage| (stage, Step::Once));
+        let stages = move |half: bool| {
+            let all = self.stages.iter().filter(move |stage| !once(stage));
+            all.filter(move |stage| stage.half == half)
+        };
         let upsampled = move || stages(false).filter(|stage| stage.kind == PassKind::Upsample);
         let halves = (0..half_bands)
             .flat_map(move |band| stages(true).map(move |stage| (stage, Step::Band(band))));
@@ -155,7 +188,7 @@ impl Renderer {
             .flat_map(move |band| upsampled().map(move |stage| (stage, Step::Shares(band))));
         let samples = (0..self.bands.count())
             .flat_map(move |band| stages(false).map(move |stage| (stage, Step::Band(band))));
-        halves.chain(shares).chain(samples)
+        updates.chain(halves).chain(shares).chain(samples)
     }
 
     fn record_step(
@@ -175,7 +208,13 @@ impl Renderer {
             (Step::Shares(band), Work::Upsample { pass, shares, .. }) => {
                 return pass.record_shares(encoder, &shares[band as usize], writes);
             }
-            (Step::Shares(_), _) => return,
+            (Step::Once, Work::LightUpdate { pass }) => {
+                if let (Some(shadow), Some(gather)) = (&self.shadow, &self.gather) {
+                    pass.record(encoder, shadow, gather, writes);
+                }
+                return;
+            }
+            (Step::Shares(_) | Step::Once, _) => return,
         };
         let at = band as usize;
         let bands = match &self.halves {
@@ -188,14 +227,26 @@ impl Renderer {
             }
             (Work::Irradiance { pass, bound }, _) => pass.record(encoder, &bound[at], writes),
             (Work::Shadow { bound }, Some(shadow)) => shadow.record(encoder, &bound[at], writes),
+            (Work::LightGather { bound, cleared }, _) => {
+                if let (0, Some(cleared)) = (band, cleared) {
+                    encoder.clear_buffer(cleared, 0, None);
+                }
+                if let Some(gather) = &self.gather {
+                    gather.record(encoder, &bound[at], writes);
+                }
+            }
             (Work::Upsample { pass, bound, .. }, Some(shadow)) => {
-                pass.record(encoder, bands, band, shadow, &bound[at], writes);
+                let gather = self.gather.as_ref();
+                let shading = Shading { shadow, gather };
+                pass.record(encoder, bands, band, shading, &bound[at], writes);
             }
             (Work::Resolve { pass, bound }, _) => {
                 pass.record(encoder, bands, band, &bound[at], writes);
             }
             // Neither is made without a shadow pass.
             (Work::Shadow { .. } | Work::Upsample { .. }, None) => {}
+            // Recorded once.
+            (Work::LightUpdate { .. }, _) => {}
         }
     }
 

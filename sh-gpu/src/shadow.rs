@@ -73,7 +73,7 @@ pub struct ClusterBinding<'a> {
 pub struct ShadowPass {
     kernel: Kernel,
     pub(crate) lit: Lit,
-    nodes: Buffer,
+    pub(crate) nodes: Buffer,
     group: BindGroup,
     options: ShadowOptions,
 }
@@ -128,6 +128,11 @@ impl ShadowPass {
         self.options.order
     }
 
+    /// The most blocker spheres.
+    pub(crate) fn max_blockers(&self) -> u32 {
+        self.options.max_blockers
+    }
+
     /// Binds receivers ([`Receiver`], 32 bytes each, read) and radiance (red, green, blue, 0 as
     /// `vec4f`, 16 bytes each, written). The size of `receivers` says how many there are; `radiance` must
     /// hold as many. Both need `BufferUsages::STORAGE`.
@@ -140,16 +145,7 @@ impl ShadowPass {
         receivers: BufferBinding<'_>,
         radiance: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
-        let count = self.kernel.elements(&Self::receivers(&receivers))? as u32;
-        let runs: Vec<[u32; 2]> = (0..count)
-            .step_by(Tiles::AREA)
-            .map(|first| [first, (count - first).min(Tiles::AREA as u32)])
-            .collect();
-        let runs = device.create_buffer_init(&BufferInitDescriptor {
-            label: Some("gaunt clusters"),
-            contents: bytemuck::cast_slice(&runs),
-            usage: BufferUsages::STORAGE,
-        });
+        let runs = tiles(&self.kernel, device, &receivers)?;
         let clusters = ClusterBinding {
             clusters: runs.as_entire_buffer_binding(),
             largest: Tiles::AREA as u32,
@@ -165,17 +161,7 @@ impl ShadowPass {
         clusters: ClusterBinding<'_>,
         radiance: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
-        let ClusterBinding { clusters, largest } = clusters;
-        let clusters = Slot::with("clusters", 8, 0, clusters);
-        let count = self.kernel.elements(&clusters)?;
-        let radiance = Slot::with("radiance", 16, 1, radiance);
-        let slots = [Self::receivers(&receivers), clusters, radiance];
-        self.kernel
-            .bind_groups(device, &slots, count, largest.into())
-    }
-
-    fn receivers<'a>(binding: &BufferBinding<'a>) -> Slot<'a> {
-        Slot::counting("receivers", size_of::<Receiver>() as u64, binding.clone())
+        bind_clusters(&self.kernel, device, receivers, clusters, radiance)
     }
 
     /// Uploads the blockers and the light for what is submitted next.
@@ -265,4 +251,42 @@ impl ShadowPass {
             queue.write_buffer(&self.nodes, 0, bytemuck::cast_slice(nodes));
         }
     }
+}
+
+/// Clusters of [`Tiles::AREA`] receivers one after another.
+pub(crate) fn tiles(
+    kernel: &Kernel,
+    device: &Device,
+    receivers: &BufferBinding<'_>,
+) -> Result<Buffer, Error> {
+    let count = kernel.elements(&receiver_slot(receivers))? as u32;
+    let runs: Vec<[u32; 2]> = (0..count)
+        .step_by(Tiles::AREA)
+        .map(|first| [first, (count - first).min(Tiles::AREA as u32)])
+        .collect();
+    Ok(device.create_buffer_init(&BufferInitDescriptor {
+        label: Some("gaunt clusters"),
+        contents: bytemuck::cast_slice(&runs),
+        usage: BufferUsages::STORAGE,
+    }))
+}
+
+/// Receivers, clusters and radiance for a kernel that works cluster by cluster.
+pub(crate) fn bind_clusters(
+    kernel: &Kernel,
+    device: &Device,
+    receivers: BufferBinding<'_>,
+    clusters: ClusterBinding<'_>,
+    radiance: BufferBinding<'_>,
+) -> Result<Bound, Error> {
+    let ClusterBinding { clusters, largest } = clusters;
+    let clusters = Slot::with("clusters", 8, 0, clusters);
+    let count = kernel.elements(&clusters)?;
+    let radiance = Slot::with("radiance", 16, 1, radiance);
+    let slots = [receiver_slot(&receivers), clusters, radiance];
+    kernel.bind_groups(device, &slots, count, largest.into())
+}
+
+fn receiver_slot<'a>(binding: &BufferBinding<'a>) -> Slot<'a> {
+    Slot::counting("receivers", size_of::<Receiver>() as u64, binding.clone())
 }

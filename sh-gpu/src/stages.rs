@@ -2,11 +2,11 @@
 
 use crate::buffers::Buffers;
 use crate::{
-    Bands, Bound, Error, GbufferPass, IrradiancePass, ResolvePass, ShadowOptions, ShadowPass,
-    UpsampleBound, UpsamplePass,
+    Bands, Bound, Error, GbufferPass, IrradiancePass, LightGatherPass, LightUpdatePass,
+    ResolvePass, Shading, ShadowOptions, ShadowPass, Shining, UpsampleBound, UpsamplePass,
 };
 use sh_scene::{Pass, PassKind, Plan, Resolution, Scene};
-use wgpu::{BufferBinding, Device, Queue};
+use wgpu::{Buffer, BufferBinding, Device, Queue};
 
 /// One pass of the plan, with what it binds for every band.
 #[derive(Debug)]
@@ -19,6 +19,10 @@ pub(crate) struct Stage {
 
 #[derive(Debug)]
 pub(crate) enum Work {
+    /// Once a frame, before all bands.
+    LightUpdate {
+        pass: LightUpdatePass,
+    },
     Gbuffer {
         pass: GbufferPass,
         bound: Vec<Bound>,
@@ -29,6 +33,11 @@ pub(crate) enum Work {
     },
     Shadow {
         bound: Vec<Bound>,
+    },
+    LightGather {
+        bound: Vec<Bound>,
+        /// What has to be cleared before the first band.
+        cleared: Option<Buffer>,
     },
     Upsample {
         pass: UpsamplePass,
@@ -50,6 +59,7 @@ pub(crate) struct Setup<'a> {
     pub bands: &'a Bands,
     pub halves: Option<&'a Bands>,
     pub shadow: Option<&'a ShadowPass>,
+    pub gather: Option<&'a LightGatherPass>,
     pub buffers: &'a Buffers,
 }
 
@@ -64,7 +74,8 @@ pub(crate) fn shadow_pass(
     scene: &Scene,
     plan: &Plan,
 ) -> Result<Option<ShadowPass>, Error> {
-    if !plan.has(PassKind::Shadow) && !plan.has(PassKind::Upsample) {
+    let needs = |kind| plan.has(kind);
+    if !needs(PassKind::Shadow) && !needs(PassKind::Upsample) && !sends(plan) {
         return Ok(None);
     }
     let blockers: usize = scene.objects.iter().map(|o| o.spheres.len()).sum();
@@ -75,6 +86,11 @@ pub(crate) fn shadow_pass(
         max_emitters: emitters(scene),
     };
     ShadowPass::new(device, options).map(Some)
+}
+
+/// Whether spheres send light on.
+pub(crate) fn sends(plan: &Plan) -> bool {
+    plan.has(PassKind::LightUpdate) || plan.has(PassKind::LightGather)
 }
 
 fn emitters(scene: &Scene) -> u32 {
@@ -119,6 +135,14 @@ impl Setup<'_> {
                 })?;
                 Work::Shadow { bound }
             }
+            PassKind::LightUpdate => {
+                let bodies = self.scene.objects.iter().map(Shining::from);
+                let bounces = self.scene.settings.indirect.unwrap_or_default().bounces;
+                let (shadow, gather) = (self.shadow()?, self.gather()?);
+                let pass = LightUpdatePass::new(device, queue, shadow, gather, bodies, bounces)?;
+                Work::LightUpdate { pass }
+            }
+            PassKind::LightGather => self.light_gather(pass)?,
             PassKind::Upsample => self.upsample()?,
             PassKind::Resolve => {
                 let (bands, buffers) = (self.bands, self.buffers);
@@ -136,19 +160,44 @@ impl Setup<'_> {
         })
     }
 
+    fn light_gather(&self, pass: &Pass) -> Result<Work, Error> {
+        let (device, gather) = (self.device, self.gather()?);
+        if !is_half(pass) {
+            let bound = self.each(pass, |[receivers, _, radiance]| {
+                gather.bind(device, receivers, radiance)
+            })?;
+            let cleared = None;
+            return Ok(Work::LightGather { bound, cleared });
+        }
+        // What is sent is interpolated apart from the light that blockers leave a share of.
+        let bands = self.bands_of(pass)?;
+        let bound = (0..bands.count()).map(|band| {
+            let half = self.buffers.half(bands, band).ok_or(NO_HALVES)?;
+            gather.bind(device, half.receivers, half.sent.ok_or(NO_HALVES)?)
+        });
+        Ok(Work::LightGather {
+            bound: bound.collect::<Result<_, Error>>()?,
+            cleared: self.buffers.half_sent().cloned(),
+        })
+    }
+
     fn upsample(&self) -> Result<Work, Error> {
         let &Self { device, bands, .. } = self;
         let (halves, shadow) = (self.halves.ok_or(NO_HALVES)?, self.shadow()?);
+        let shading = Shading {
+            shadow,
+            gather: self.gather,
+        };
         let pass = UpsamplePass::new(device, self.queue, bands, shadow)?;
         let shares = (0..halves.count()).map(|band| {
-            let [receivers, _, shares] = self.buffers.half_band(halves, band).ok_or(NO_HALVES)?;
-            pass.bind_shares(device, crate::HalfBinding { receivers, shares })
+            let half = self.buffers.half(halves, band).ok_or(NO_HALVES)?;
+            pass.bind_shares(device, half)
         });
         let shares = shares.collect::<Result<_, Error>>()?;
         let bound = (0..bands.count()).map(|band| {
             let under = self.buffers.under(bands, halves, band).ok_or(NO_HALVES)?;
             let [receivers, _, radiance] = self.buffers.samples(bands, band);
-            pass.bind(device, shadow, under, receivers, radiance)
+            pass.bind(device, shading, under, receivers, radiance)
         });
         Ok(Work::Upsample {
             shares,
@@ -181,6 +230,11 @@ impl Setup<'_> {
     fn shadow(&self) -> Result<&ShadowPass, Error> {
         self.shadow
             .ok_or(Error::Plan("has no shadow pass for what it shades"))
+    }
+
+    fn gather(&self) -> Result<&LightGatherPass, Error> {
+        self.gather
+            .ok_or(Error::Plan("has no light gather pass for what is sent on"))
     }
 }
 

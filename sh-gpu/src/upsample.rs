@@ -3,7 +3,7 @@
 use crate::lighting::{Lit, buffer};
 use crate::pipeline::{Kernel, Slot, buffer_entry, shader};
 use crate::records::UpsampleRule;
-use crate::{Bands, Bound, ClusterBinding, Error, ShadowPass};
+use crate::{Bands, Bound, ClusterBinding, Error, LightGatherPass, ShadowPass};
 use sh_kernels::Pass;
 use sh_scene::{Receiver, Tiles};
 use wgpu::{
@@ -19,11 +19,31 @@ pub struct UpsamplePass {
     upsample: Kernel,
     scatter: Kernel,
     group: BindGroup,
-    /// What has to be shaded anew in a band: receivers, their radiance and origins.
+    /// What has to be shaded anew in a band: receivers, whose objects are the samples they come from, and their
+    /// radiance.
     anew: Buffer,
     shaded: Buffer,
-    origins: Buffer,
     clusters: Buffer,
+    /// In the place of what spheres send where they send nothing.
+    nothing: Buffer,
+}
+
+/// The passes that shade what [`UpsamplePass`] cannot take from half resolution.
+#[derive(Clone, Copy, Debug)]
+pub struct Shading<'a> {
+    /// Light through the visibility of all blockers.
+    pub shadow: &'a ShadowPass,
+    /// Light that spheres send on, where they do.
+    pub gather: Option<&'a LightGatherPass>,
+}
+
+impl<'a> From<&'a ShadowPass> for Shading<'a> {
+    fn from(shadow: &'a ShadowPass) -> Self {
+        Self {
+            shadow,
+            gather: None,
+        }
+    }
 }
 
 /// One band's buffers, bound to all parts of an [`UpsamplePass`].
@@ -31,6 +51,7 @@ pub struct UpsamplePass {
 pub struct UpsampleBound {
     upsample: Bound,
     shadow: Bound,
+    gather: Option<Bound>,
     scatter: Bound,
 }
 
@@ -42,6 +63,8 @@ pub struct HalfBinding<'a> {
     /// A `vec4f` each, 16 bytes: radiance from the shadow pass before [`UpsamplePass::record_shares`], and after it the
     /// share that radiance is of that without blockers.
     pub shares: BufferBinding<'a>,
+    /// A `vec4f` each, 16 bytes: radiance that spheres send, from the light gather pass on a buffer that was cleared.
+    pub sent: Option<BufferBinding<'a>>,
 }
 
 impl UpsamplePass {
@@ -75,7 +98,7 @@ impl UpsamplePass {
             Kernel::new(device, &module, name, [&own, &host])
         };
         let shares = kernel("shares", &[false, true]);
-        let upsample = kernel("upsample", &[false, false, false, true, true, true, true]);
+        let upsample = kernel("upsample", &[false, false, false, true, true, true, false]);
         let scatter = kernel("scatter", &[false, false, false, true]);
         let rule = buffer(
             device,
@@ -107,8 +130,8 @@ impl UpsamplePass {
         Ok(Self {
             anew: room("gaunt anew", count, size_of::<Receiver>() as u64),
             shaded: room("gaunt shaded anew", count, 16),
-            origins: room("gaunt origins", count, 4),
             clusters: room("gaunt clusters anew", count / Tiles::AREA as u64, 8),
+            nothing: room("gaunt nothing sent", 1, 16),
             shares,
             upsample,
             scatter,
@@ -125,11 +148,11 @@ impl UpsamplePass {
     }
 
     /// Binds a band's samples ([`Receiver`], read, and radiance as `vec4f`, written) and, at half resolution, the tiles
-    /// that lie under it ([`Bands::half_tile_rows`]). `shadow` is the pass that shades anew.
-    pub fn bind(
+    /// that lie under it ([`Bands::half_tile_rows`]). `shading` are the passes that shade anew.
+    pub fn bind<'a>(
         &self,
         device: &Device,
-        shadow: &ShadowPass,
+        shading: impl Into<Shading<'a>>,
         halves: HalfBinding<'_>,
         receivers: BufferBinding<'_>,
         radiance: BufferBinding<'_>,
@@ -145,8 +168,8 @@ impl UpsamplePass {
         };
         let anew = part(&self.anew, count * stride);
         let clusters = part(&self.clusters, tiles * 8);
-        let origins = part(&self.origins, count * 4);
         let shaded = part(&self.shaded, count * 16);
+        let sent = halves.sent.unwrap_or_else(|| part(&self.nothing, 16));
         let slots = [
             Slot::with("half_receivers", stride, 0, halves.receivers),
             Slot::with("half_shares", 16, 0, halves.shares),
@@ -154,7 +177,7 @@ impl UpsamplePass {
             Slot::with("radiance", 16, 1, radiance.clone()),
             Slot::with("anew", stride, 1, anew.clone()),
             Slot::with("clusters", 8, 0, clusters.clone()),
-            Slot::with("origins", 4, 1, origins.clone()),
+            Slot::with("half_sent", 16, 0, sent),
         ];
         let upsample = self.upsample.bind_groups(device, &slots, tiles, 1)?;
         let largest = Tiles::AREA as u32;
@@ -162,10 +185,14 @@ impl UpsamplePass {
             clusters: clusters.clone(),
             largest,
         };
-        let shadow = shadow.bind_clusters(device, anew, all, shaded.clone())?;
+        let Shading { shadow, gather } = shading.into();
+        let gather = gather
+            .map(|gather| gather.bind_clusters(device, anew.clone(), all.clone(), shaded.clone()))
+            .transpose()?;
+        let shadow = shadow.bind_clusters(device, anew.clone(), all, shaded.clone())?;
         let slots = [
             Slot::with("clusters", 8, 0, clusters),
-            Slot::with("origins", 4, 0, origins),
+            Slot::with("anew", stride, 0, anew),
             Slot::with("shaded", 16, 0, shaded),
             Slot::counting("radiance", 16, radiance),
         ];
@@ -173,6 +200,7 @@ impl UpsamplePass {
         Ok(UpsampleBound {
             upsample,
             shadow,
+            gather,
             scatter,
         })
     }
@@ -188,20 +216,25 @@ impl UpsamplePass {
             .record(encoder, (&self.group, &[0]), bound, timestamps);
     }
 
-    /// Records three compute passes that write the radiance of one band's samples.
-    pub fn record(
+    /// Records three compute passes, or four where spheres send light on, that write the radiance of one band's samples.
+    /// `shading` is what [`bind`](Self::bind) was given.
+    pub fn record<'a>(
         &self,
         encoder: &mut CommandEncoder,
         bands: &Bands,
         band: u32,
-        shadow: &ShadowPass,
+        shading: impl Into<Shading<'a>>,
         bound: &UpsampleBound,
         timestamps: Option<ComputePassTimestampWrites<'_>>,
     ) {
         let [begin, end] = first_and_last(timestamps);
         let own = (&self.group, &[bands.offset(band)][..]);
         self.upsample.record(encoder, own, &bound.upsample, begin);
+        let Shading { shadow, gather } = shading.into();
         shadow.record(encoder, &bound.shadow, None);
+        if let (Some(gather), Some(bound)) = (gather, &bound.gather) {
+            gather.record(encoder, bound, None);
+        }
         self.scatter.record(encoder, own, &bound.scatter, end);
     }
 }

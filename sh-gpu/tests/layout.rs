@@ -1,8 +1,9 @@
 //! The records of the kernels and those of Rust have the same layout, as naga lays WGSL out.
 
 use naga::proc::Layouter;
-use sh_gpu::records::{Band, Body, Lighting, UpsampleRule};
+use sh_gpu::records::{Band, BlockingRule, Body, Lighting, Sender, UpsampleRule};
 use sh_kernels::{MAX_ORDER, MIN_ORDER, Pass, source};
+use sh_scene::surface::SurfacePoint;
 use sh_scene::{Emitter, Node, Receiver};
 use std::mem::offset_of;
 
@@ -50,7 +51,10 @@ fn records_are_laid_out_alike() {
                 }
             );
         }
-        for pass in [Pass::Irradiance, Pass::Shadow, Pass::Upsample] {
+        for pass in Pass::ALL {
+            if matches!(pass, Pass::Gbuffer | Pass::Resolve) {
+                continue;
+            }
             same_layout!(
                 pass,
                 order,
@@ -62,6 +66,8 @@ fn records_are_laid_out_alike() {
                     coefficients
                 }
             );
+        }
+        for pass in [Pass::Irradiance, Pass::Shadow, Pass::Upsample] {
             same_layout!(
                 pass,
                 order,
@@ -74,16 +80,42 @@ fn records_are_laid_out_alike() {
                 }
             );
         }
+        for pass in [Pass::LightUpdate, Pass::Shadow, Pass::LightGather] {
+            same_layout!(
+                pass,
+                order,
+                Node {
+                    center,
+                    radius,
+                    area,
+                    parent,
+                    skip,
+                    sphere
+                }
+            );
+        }
+        same_layout!(Pass::LightGather, order, BlockingRule { by_bodies });
         same_layout!(
-            Pass::Shadow,
+            Pass::LightUpdate,
             order,
-            Node {
-                center,
-                radius,
-                area,
-                parent,
-                skip,
-                sphere
+            SurfacePoint {
+                position,
+                direction,
+                normal,
+                albedo
+            }
+        );
+        same_layout!(
+            Pass::LightUpdate,
+            order,
+            Sender {
+                world_from_object,
+                turn,
+                frame,
+                first,
+                count,
+                object,
+                node
             }
         );
         same_layout!(

@@ -5,7 +5,7 @@
 //! they make something new (a light view, an array of depths, a picture at half resolution), one more
 //! [`Resource`] with its [`Resolution`]; what is here stays as it is.
 
-use crate::Scene;
+use crate::{Blocking, Object, Scene};
 use std::fmt;
 
 /// The passes there are. Each is one file of this name in `kernels`, `sh-cpu` and `sh-gpu`.
@@ -17,6 +17,10 @@ pub enum PassKind {
     Irradiance,
     /// Light through the visibility of all blocker spheres.
     Shadow,
+    /// What the spheres of bodies send on of the light that falls on the surface around them, bounce by bounce.
+    LightUpdate,
+    /// The light that spheres have sent on, added to radiance.
+    LightGather,
     /// Radiance at half resolution to samples, by a joint bilateral filter; what that cannot give is shaded anew.
     Upsample,
     /// Samples to pixels: radiance times albedo, the environment where nothing is hit.
@@ -30,6 +34,8 @@ impl PassKind {
             Self::Gbuffer => "gbuffer",
             Self::Irradiance => "irradiance",
             Self::Shadow => "shadow",
+            Self::LightUpdate => "light_update",
+            Self::LightGather => "light_gather",
             Self::Upsample => "upsample",
             Self::Resolve => "resolve",
         }
@@ -53,6 +59,10 @@ pub enum Resource {
     HalfRadiance,
     /// The spheres that block light, in world space: [`crate::Forest`].
     Blockers,
+    /// Points on bodies' surfaces: [`crate::SurfaceSamples`].
+    SurfacePoints,
+    /// What each sphere sends on, as an SH vector.
+    Emission,
     /// The environment as SH vectors, and analytic lights: [`crate::Light`].
     Light,
     /// The environment as a map: [`crate::EnvironmentMap`].
@@ -66,6 +76,8 @@ impl Resource {
     pub fn resolution(self) -> Resolution {
         match self {
             Self::Surfaces | Self::Blockers | Self::Light | Self::Environment => Resolution::Fixed,
+            Self::SurfacePoints => Resolution::Fixed,
+            Self::Emission => Resolution::Spheres,
             Self::Receivers | Self::Albedo | Self::Radiance => Resolution::Samples,
             Self::HalfReceivers | Self::HalfRadiance => Resolution::Halves,
             Self::Picture => Resolution::Pixels,
@@ -82,6 +94,8 @@ pub enum Resolution {
     Halves,
     /// One element a pixel of the picture.
     Pixels,
+    /// One element a sphere.
+    Spheres,
     /// The scene, not the picture. It is there before the first pass.
     Fixed,
 }
@@ -107,6 +121,9 @@ impl Pass {
             PassKind::Irradiance => &[Receivers, Light],
             PassKind::Shadow if half => &[HalfReceivers, Blockers, Light],
             PassKind::Shadow => &[Receivers, Blockers, Light],
+            PassKind::LightUpdate => &[SurfacePoints, Blockers, Light],
+            PassKind::LightGather if half => &[HalfReceivers, HalfRadiance, Blockers, Emission],
+            PassKind::LightGather => &[Receivers, Radiance, Blockers, Emission],
             PassKind::Upsample => &[HalfReceivers, HalfRadiance, Receivers, Blockers, Light],
             PassKind::Resolve => &[Receivers, Albedo, Radiance, Environment],
         }
@@ -119,7 +136,9 @@ impl Pass {
         match self.kind {
             PassKind::Gbuffer if half => &[HalfReceivers],
             PassKind::Gbuffer => &[Receivers, Albedo],
-            PassKind::Shadow if half => &[HalfRadiance],
+            PassKind::Shadow | PassKind::LightGather if half => &[HalfRadiance],
+            PassKind::LightUpdate => &[Emission],
+            PassKind::LightGather => &[Radiance],
             PassKind::Irradiance | PassKind::Shadow | PassKind::Upsample => &[Radiance],
             PassKind::Resolve => &[Picture],
         }
@@ -166,11 +185,18 @@ impl Plan {
         } else {
             format!(", whose logarithms are accumulated in order {accumulation}")
         };
+        let bounce = bounce(scene);
+        if let Some((update, _)) = &bounce {
+            add(PassKind::LightUpdate, Resolution::Spheres, update.clone());
+        }
         if half {
             let reason = "Soft light changes little from pixel to pixel: a ray for every two by two is enough.";
             add(gbuffer, Resolution::Halves, reason.to_string());
             let reason = format!("{light} is cast into shadow by {spheres}{accumulated}.");
             add(shadow, Resolution::Halves, reason);
+            if let Some((_, gather)) = &bounce {
+                add(PassKind::LightGather, Resolution::Halves, gather.clone());
+            }
         }
         let bodies = counted(scene.objects.len(), "object", "objects");
         let surfaces = match scene.ground {
@@ -191,6 +217,9 @@ impl Plan {
         } else {
             let reason = format!("{light} reaches every receiver unblocked.");
             add(PassKind::Irradiance, Resolution::Samples, reason);
+        }
+        if let Some((_, gather)) = bounce.filter(|_| !half) {
+            add(PassKind::LightGather, Resolution::Samples, gather);
         }
         add(
             PassKind::Resolve,
@@ -217,6 +246,42 @@ impl fmt::Display for Plan {
     }
 }
 
+/// Why light is sent on and why it is gathered, for a scene that asks for it and has bodies that can see another.
+fn bounce(scene: &Scene) -> Option<(String, String)> {
+    let indirect = scene.settings.indirect?;
+    let shining = |o: &&Object| !o.surface.points.is_empty();
+    let lights: usize = scene
+        .objects
+        .iter()
+        .filter(shining)
+        .map(|o| o.spheres.len())
+        .sum();
+    let bodies = scene
+        .objects
+        .iter()
+        .filter(|o| !o.mesh.triangles.is_empty() || !o.spheres.is_empty())
+        .count();
+    let seen = bodies + usize::from(scene.ground.is_some());
+    if lights == 0 || seen < 2 && lights < 2 {
+        return None;
+    }
+    let bounces = counted(indirect.bounces as usize, "bounce", "bounces");
+    let spheres = counted(lights, "sphere sends", "spheres send");
+    let update = format!("{spheres} on what falls on the surface around them, for {bounces}.");
+    let hides = match indirect.blocking {
+        Blocking::Discs => {
+            "each is a disc in the sky that nearer ones cover in part, in an order that is right whether bodies interlock or not"
+        }
+        Blocking::Runs => {
+            "what is summed up for nearer spheres serves farther ones, and pairs are looked at one by one only where bodies interlock"
+        }
+        Blocking::Sphere => "every sphere is looked at with all that are nearer",
+        Blocking::Object => "bodies hide each other as a whole",
+    };
+    let gather = format!("Bodies light each other and the ground; {hides}.");
+    Some((update, gather))
+}
+
 /// "1 object", "3 objects".
 fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
@@ -225,7 +290,10 @@ fn counted(count: usize, one: &str, many: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Camera, EnvironmentMap, Ground, Material, Mesh, Object, Settings, Sphere};
+    use crate::surface::SurfacePoint;
+    use crate::{
+        Camera, EnvironmentMap, Ground, Indirect, Material, Mesh, Object, Settings, Sphere,
+    };
     use glam::{Affine3A, Vec3};
 
     fn scene(spheres: usize, shadows: bool) -> Scene {
@@ -244,6 +312,7 @@ mod tests {
                 };
                 spheres
             ],
+            surface: Default::default(),
         };
         Scene {
             objects: vec![object],
@@ -286,10 +355,43 @@ mod tests {
     }
 
     #[test]
+    fn light_is_sent_on_only_where_something_can_see_it() {
+        let mut bounced = scene(8, true);
+        let without = Plan::new(&bounced);
+        bounced.settings.indirect = Some(Indirect::default());
+        assert_eq!(Plan::new(&bounced), without, "no surface has been sampled");
+        for _ in 0..8 {
+            bounced.objects[0].surface.push([SurfacePoint::default()]);
+        }
+        let with = Plan::new(&bounced);
+        assert!(with.has(PassKind::LightUpdate) && with.has(PassKind::LightGather));
+        bounced.settings.half_resolution = false;
+        assert!(Plan::new(&bounced).has(PassKind::LightGather));
+        bounced.settings.indirect = None;
+        bounced.settings.half_resolution = true;
+        assert_eq!(Plan::new(&bounced), without);
+        // One convex body alone sees nothing that it lights.
+        let mut alone = scene(1, true);
+        alone.settings.indirect = Some(Indirect::default());
+        alone.objects[0].surface.push([SurfacePoint::default()]);
+        assert!(
+            Plan::new(&alone).has(PassKind::LightGather),
+            "the ground does"
+        );
+        alone.ground = None;
+        assert!(!Plan::new(&alone).has(PassKind::LightGather));
+    }
+
+    #[test]
     fn every_pass_reads_what_is_there() {
         let mut full = scene(8, true);
         full.settings.half_resolution = false;
-        for scene in [scene(8, true), scene(0, true), full] {
+        let mut bounced = full.clone();
+        bounced.settings.indirect = Some(Indirect::default());
+        bounced.objects[0].surface.push([SurfacePoint::default()]);
+        let mut half = bounced.clone();
+        half.settings.half_resolution = true;
+        for scene in [scene(8, true), scene(0, true), full, bounced, half] {
             let plan = Plan::new(&scene);
             let mut there = Vec::new();
             for pass in &plan.passes {

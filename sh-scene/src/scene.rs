@@ -1,7 +1,8 @@
 //! A scene, loaded and resolved: nothing in it refers to a file or needs a default any more.
 
 use crate::{
-    AreaLight, Camera, EnvironmentMap, Forest, Light, LightError, Limits, Quality, Sphere,
+    AreaLight, Camera, EnvironmentMap, Forest, Indirect, Light, LightError, Limits, Quality,
+    Sphere, SurfaceSamples, Texture,
 };
 use glam::{Affine3A, Vec3};
 
@@ -14,22 +15,14 @@ pub struct Mesh {
     pub normals: Vec<[f32; 3]>,
     /// Texture coordinates, as many as positions, or none; (0, 0) is the texture's first texel.
     pub uvs: Vec<[f32; 2]>,
+    /// Colours that the material's albedo is multiplied with, linear Rec.709, each in 0..=1, as many as positions, or
+    /// none.
+    pub colors: Vec<[f32; 3]>,
     /// Vertex indices, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// A base-colour texture: sRGB-encoded RGBA, 8 bits each, rows from the top, repeated in both directions.
-#[derive(Clone, Debug)]
-pub struct Texture {
-    /// Texels across.
-    pub width: u32,
-    /// Texels down.
-    pub height: u32,
-    /// `width * height * 4` bytes.
-    pub rgba: Vec<u8>,
-}
-
-/// How a surface reflects: diffusely, `albedo` times the texture.
+/// How a surface reflects: diffusely, `albedo` times the texture and the mesh's colours.
 #[derive(Clone, Debug)]
 pub struct Material {
     /// Linear Rec.709 reflectance, each in 0..=1.
@@ -51,6 +44,8 @@ pub struct Object {
     pub transform: Affine3A,
     /// A bounding set of spheres, in object space.
     pub spheres: Vec<Sphere>,
+    /// What makes the spheres lights: points of the surface, as many groups as spheres, or empty where they are none.
+    pub surface: SurfaceSamples,
 }
 
 impl Object {
@@ -97,6 +92,8 @@ pub struct Settings {
     pub half_resolution: bool,
     /// How coarse the cuts of blockers may be.
     pub limits: Limits,
+    /// How bodies light each other, if they do.
+    pub indirect: Option<Indirect>,
 }
 
 /// Everything a picture needs.
@@ -127,6 +124,7 @@ impl Default for Settings {
             window: None,
             half_resolution: quality.half_resolution(),
             limits: Limits::default(),
+            indirect: None,
         }
     }
 }

@@ -93,6 +93,7 @@ fn object(mesh: Mesh) -> Object {
                 radius: 1.0,
             },
         ],
+        surface: Default::default(),
     }
 }
 

@@ -91,6 +91,10 @@ pub fn arguments(routine: &Routine, order: usize, random: &mut Random, i: usize)
             ("h", Shape::Scalar) => vec![0.5 + 12.0 * random.unit()],
             ("norm", _) if routine.name == "optimal_linear_wide" => vec![8.0 * random.unit()],
             ("norm", _) => vec![0.25 * random.unit()],
+            // Radii and distance of two discs; the first covers nothing, so that what guards the division acts.
+            ("b", Shape::Scalar) if i == 0 => vec![0.0],
+            ("a" | "b", Shape::Scalar) => vec![0.01 + 1.5 * random.unit()],
+            ("d", Shape::Scalar) => vec![3.0 * random.unit()],
             (_, Shape::Direction) if i < 6 => {
                 let mut d = vec![0.0; 3];
                 d[i / 2] = if i.is_multiple_of(2) { 1.0 } else { -1.0 };

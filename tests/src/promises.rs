@@ -64,6 +64,8 @@ pub const PROMISES: &[Promise] = &[
     promise("add_cap_log_saturating", 1e37, Poison::Shows),
     promise("accumulate_blocker", 1e35, Poison::Shows),
     promise("accumulated_log", 1e35, Poison::Shows),
+    promise("ball_average", 1.0, Poison::Shows),
+    promise("disc_covered", 1.0, Poison::Bounded(1.0)),
     promise("exp_saturating", f32::MAX, bound(1.2996)),
     promise("exp_sampled", 1e36, bound(1.1619)),
     promise("exp_sampled_coarse", 1e36, bound(1.1619)),

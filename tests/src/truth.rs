@@ -139,6 +139,27 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
                 .map(|(f, factor)| f * factor)
                 .collect()
         }
+        "ball_average" => {
+            let (sin, cos) = (a[0][0], a[1][0]);
+            let mean = |l: usize| match l {
+                0 => 1.0,
+                l => {
+                    let [p, q] = &fits::ball()[l - 1];
+                    1.0 + cos * (polynomial(p, cos) + sin * polynomial(q, cos))
+                }
+            };
+            let basis = reference::basis::basis(order, three(&a[2]));
+            let weighted = basis.iter().enumerate();
+            weighted.map(|(i, y)| mean(i.isqrt()) * y).collect()
+        }
+        "disc_covered" => {
+            let [a, b, d] = [a[0][0], a[1][0], a[2][0]];
+            let (small, large) = (a.min(b), a.max(b));
+            let t = ((a + b - d) / (2.0 * small)).clamp(0.0, 1.0);
+            let [first, second] = fits::lens().map(|c| polynomial(&c, small / large));
+            let f = t * (first + t * (second + t * (1.0 - first - second)));
+            vec![f.max(0.0) * (b / a).powi(2).min(1.0)]
+        }
         "exp_saturating" => saturating(order, &a[0]),
         "exp_sampled" => pointwise(order, Fineness::Medium, &a[0], clamped),
         "exp_sampled_coarse" => pointwise(order, Fineness::Coarse, &a[0], clamped),

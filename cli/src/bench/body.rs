@@ -40,6 +40,11 @@ impl Segment {
         }
     }
 
+    /// A ball that does not swing.
+    pub fn ball(joint: Vec3, center: Vec3, radius: f32) -> Self {
+        Self::still(joint, center, center, radius)
+    }
+
     fn area(&self) -> f32 {
         TAU * self.radius * (self.from.distance(self.to) + 2.0 * self.radius)
     }
@@ -91,7 +96,7 @@ impl Segment {
 pub struct Body {
     /// Its segments, parents before children.
     pub segments: Vec<Segment>,
-    /// Receivers on all segments together, shared out by area.
+    /// Receivers on all segments together, shared out by area; none, or one a segment and more.
     pub receivers: usize,
     /// Spheres in all segments together, shared out by length.
     pub spheres: usize,
@@ -99,10 +104,45 @@ pub struct Body {
     pub clusters: usize,
     /// Where it stands.
     pub place: Vec3,
-    /// It walks around a circle of this radius about its place, in metres; 0: it stands.
-    pub circle: f32,
+    /// Which way it goes.
+    pub way: Way,
     /// Steps a second; 0: nothing moves.
     pub pace: f32,
+    /// What share of light it reflects, linear Rec.709.
+    pub albedo: [f32; 3],
+}
+
+/// Which way a body goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// None: its joints alone swing.
+    Stands,
+    /// Around a circle of this radius about its place, in metres.
+    Circle(f32),
+    /// From its place along a line, and from its place again.
+    Line {
+        /// The whole of the line, in metres.
+        along: Vec3,
+        /// Which part of it lies behind the body at first, 0 to 1.
+        start: f32,
+    },
+}
+
+impl Way {
+    /// World from a body that has made so many turns.
+    fn at(self, place: Vec3, turns: f32) -> Affine3A {
+        match self {
+            Self::Stands => Affine3A::from_translation(place),
+            Self::Circle(radius) => {
+                let offset = Vec3::new(turns.sin(), 0.0, turns.cos()) * radius;
+                let facing = Quat::from_rotation_y(turns + PI * 0.5);
+                Affine3A::from_rotation_translation(facing, place + offset)
+            }
+            Self::Line { along, start } => {
+                Affine3A::from_translation(place + along * (start + turns).fract())
+            }
+        }
+    }
 }
 
 /// The parts of a body in their segments' spaces.
@@ -122,7 +162,10 @@ impl Body {
             .iter()
             .map(|s| s.from.distance(s.to) / s.radius + 1.0);
         let lengths: Vec<f32> = lengths.collect();
-        let receivers = shared_out(self.receivers, &areas);
+        let receivers = match self.receivers {
+            0 => vec![0; areas.len()],
+            count => shared_out(count, &areas),
+        };
         let spheres = shared_out(self.spheres, &lengths);
         let mut parts = Parts {
             receivers: Vec::new(),
@@ -139,15 +182,7 @@ impl Body {
 
     /// World from segment for every segment at a time in seconds.
     pub fn pose(&self, seconds: f32, out: &mut Vec<Affine3A>) {
-        let around = 0.3 * self.pace * seconds;
-        let offset = Vec3::new(around.sin(), 0.0, around.cos()) * self.circle;
-        let facing = if self.circle > 0.0 {
-            around + PI * 0.5
-        } else {
-            0.0
-        };
-        let root =
-            Affine3A::from_rotation_translation(Quat::from_rotation_y(facing), self.place + offset);
+        let root = self.way.at(self.place, 0.3 * self.pace * seconds);
         let first = out.len();
         for segment in &self.segments {
             let parent = segment.parent.map_or(root, |parent| out[first + parent]);

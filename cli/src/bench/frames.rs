@@ -2,7 +2,7 @@
 
 use super::peak::{self, Inner};
 use super::scenes::{self, Name};
-use super::world::{ORDER, STAGES, World};
+use super::world::{GATHER, ORDER, SHADOW, STAGES, World};
 use crate::Error;
 use crate::gpu::{Clock, Shadows};
 use crate::progress::Progress;
@@ -19,6 +19,9 @@ const FRAMES: usize = 60;
 
 /// Of these, every so many is timed with one lane on one thread as well.
 const SCALAR_EVERY: usize = 4;
+
+/// Milliseconds of each of [`STAGES`].
+type Stages = [f64; STAGES.len()];
 
 /// A stage and its time.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -45,6 +48,8 @@ struct Report {
     receivers: usize,
     moving_receivers: usize,
     spheres: usize,
+    /// Those that send light on, and lamps.
+    lights: usize,
     clusters: usize,
     spheres_per_receiver: f64,
     /// Pairs of a receiver and a blocker of its cut, over the time of the shadow stage, exponential and lights
@@ -62,6 +67,24 @@ struct Report {
     speedup_over_scalar: f64,
     /// The same for the shadow stage alone.
     shadow_speedup_over_scalar: f64,
+    /// Where spheres send light on.
+    #[serde(flatten)]
+    sent: Option<SentOn>,
+}
+
+/// What is measured of light that spheres send on.
+#[derive(Clone, Copy, Debug, Serialize)]
+struct SentOn {
+    /// Points on the surfaces that spheres stand for.
+    surface_points: usize,
+    /// Spheres that may hide a part of a light, and are looked at.
+    hiders_per_light: f32,
+    /// Spheres of a cut in a run: 1 where what has been summed up always serves on, 0 where nothing is summed up.
+    run_length: f32,
+    /// Pairs of a receiver and a light of its cut, over the time of the stage that gathers them.
+    receiver_lights_per_s: f64,
+    /// Time of that stage with one lane on one thread, over this.
+    gather_speedup_over_scalar: f64,
 }
 
 /// Runs a scene; the report as text.
@@ -82,11 +105,23 @@ fn pool(threads: usize) -> Result<ThreadPool, Error> {
 }
 
 fn measure(scene: Name, backend: Backend) -> Result<Report, Error> {
+    let plan = scenes::plan(scene);
+    // What sends light on is timed on the CPU.
+    let backend = match (plan.indirect, backend) {
+        (Some(_), Backend::Auto) => Backend::Cpu,
+        (Some(_), Backend::Gpu) => {
+            return Err(Error::Usage(format!(
+                "`gaunt bench {}` has no stages for the GPU: leave --backend out",
+                scene.name()
+            )));
+        }
+        _ => backend,
+    };
     let Choice { gpu, .. } = choose(backend)?;
     let progress = Progress::new("timing frames");
     let threads = rayon::current_num_threads();
     let (all, one) = (pool(threads)?, pool(1)?);
-    let mut world = World::new(scenes::plan(scene))?;
+    let mut world = World::new(plan)?;
     let (best, scalar) = (Path::best(), Path::One(Level::new()));
     let shadows = gpu.as_ref().map(|gpu| {
         let options = ShadowOptions {
@@ -98,11 +133,11 @@ fn measure(scene: Name, backend: Backend) -> Result<Report, Error> {
         Shadows::new(gpu, world.receivers.len(), &world.clusters, options)
     });
     let shadows = shadows.transpose()?;
-    let frame = |world: &mut World, seconds: f32| -> Result<[f64; 5], Error> {
+    let frame = |world: &mut World, seconds: f32| -> Result<Stages, Error> {
         let Some(shadows) = &shadows else {
             return all.install(|| world.frame(best, seconds));
         };
-        let [motion, tree, light] = all.install(|| world.set_out(seconds))?;
+        let set_out = all.install(|| world.set_out(seconds))?;
         let World {
             receivers,
             forest,
@@ -111,7 +146,10 @@ fn measure(scene: Name, backend: Backend) -> Result<Report, Error> {
             ..
         } = world;
         let shadow = shadows.frame(receivers, forest, *limits, lit)?;
-        Ok([motion, tree, light, 0.0, shadow])
+        let mut spent = [0.0; STAGES.len()];
+        spent[..3].copy_from_slice(&set_out);
+        spent[SHADOW] = shadow;
+        Ok(spent)
     };
     // Memory is touched and processors wake up.
     frame(&mut world, 0.0)?;
@@ -133,15 +171,28 @@ fn measure(scene: Name, backend: Backend) -> Result<Report, Error> {
         None => Some(one.install(|| peak::inner(best))?),
         Some(_) => None,
     };
-    let total = |frames: &[[f64; 5]]| median(frames.iter().map(|stages| stages.iter().sum()));
-    let shadow = |frames: &[[f64; 5]]| median(frames.iter().map(|stages| stages[4]));
+    let total = |frames: &[Stages]| median(frames.iter().map(|stages| stages.iter().sum()));
+    let of = |frames: &[Stages], i: usize| median(frames.iter().map(|stages| stages[i]));
     let stages = STAGES.iter().enumerate().map(|(i, name)| Stage {
         name,
-        ms: median(fast.iter().map(|stages| stages[i])),
+        ms: of(&fast, i),
     });
-    // On the GPU cuts are found within the shadow pass.
+    // On the GPU cuts are found within the shadow pass; where nothing is sent on there is nothing to gather.
     let stages = stages.filter(|stage| gpu.is_none() || stage.name != "cut");
+    let stages = stages.filter(|stage| world.sent.is_some() || !stage.name.starts_with("light_"));
     let pairs = median(pairs.into_iter());
+    let sent = world.sent.as_ref().map(|sent| SentOn {
+        surface_points: sent.points(),
+        hiders_per_light: sent.cuts.hiders_per_light(),
+        run_length: sent.cuts.run_length(),
+        receiver_lights_per_s: sent.cuts.pairs() as f64 / (of(&fast, GATHER) * 1e-3),
+        gather_speedup_over_scalar: of(&slow, GATHER) / of(&fast, GATHER),
+    });
+    let senders = if sent.is_some() {
+        world.spheres.len()
+    } else {
+        0
+    };
     let of_inner = |value: fn(&Inner) -> f64| inner.as_ref().map(value);
     Ok(Report {
         scene: scene.name(),
@@ -161,15 +212,17 @@ fn measure(scene: Name, backend: Backend) -> Result<Report, Error> {
         receivers: world.receivers.len(),
         moving_receivers: world.moving(),
         spheres: world.spheres.len(),
+        lights: senders + world.light.emitters.len(),
         clusters: world.clusters.len(),
         spheres_per_receiver: pairs / world.receivers.len() as f64,
-        receiver_spheres_per_s: pairs / (shadow(&fast) * 1e-3),
+        receiver_spheres_per_s: pairs / (of(&fast, SHADOW) * 1e-3),
         fma_peak_share: of_inner(|inner| inner.share),
         self_shadow_fma_peak_share: of_inner(|inner| inner.across_share),
         inner_loop_ns: of_inner(|inner| inner.front_ns),
         self_shadow_ns: of_inner(|inner| inner.across_ns),
         speedup_over_scalar: total(&slow) / total(&fast),
-        shadow_speedup_over_scalar: shadow(&slow) / shadow(&fast),
+        shadow_speedup_over_scalar: of(&slow, SHADOW) / of(&fast, SHADOW),
+        sent,
     })
 }
 
@@ -187,6 +240,7 @@ impl fmt::Display for Report {
             receivers,
             moving_receivers,
             spheres,
+            lights,
             clusters,
             clock,
             ..
@@ -194,10 +248,10 @@ impl fmt::Display for Report {
         writeln!(
             f,
             "{scene}: {receivers} receivers ({moving_receivers} of them move), {spheres} spheres, {clusters} clusters,\n\
-             SH order {ORDER}, an environment and two lamps. Shaded by {device}; clock: {clock}.\n"
+             SH order {ORDER}, an environment and {lights} other lights. Shaded by {device}; clock: {clock}.\n"
         )?;
         for Stage { name, ms } in &self.stages {
-            writeln!(f, "  {name:<8} {ms:>8.3} ms")?;
+            writeln!(f, "  {name:<12} {ms:>8.3} ms")?;
         }
         writeln!(
             f,
@@ -231,6 +285,24 @@ impl fmt::Display for Report {
                     "  {name:<29} {percent:>8.1} % ({ns:.2} ns a receiver and sphere, one thread)"
                 )?;
             }
+        }
+        if let Some(sent) = &self.sent {
+            let rate = sent.receiver_lights_per_s * 1e-6;
+            writeln!(
+                f,
+                "  surface points                {:>8}",
+                sent.surface_points
+            )?;
+            writeln!(
+                f,
+                "  hiders a light                {:>8.1}",
+                sent.hiders_per_light
+            )?;
+            writeln!(
+                f,
+                "  million receivers × lights/s  {rate:>8.0} (over one lane on one thread {:.1} times)",
+                sent.gather_speedup_over_scalar
+            )?;
         }
         write!(
             f,

@@ -2,10 +2,13 @@
 
 mod body;
 mod frames;
+mod lights;
 mod peak;
 mod rays;
 mod scaling;
 mod scenes;
+mod sent;
+mod surface;
 mod world;
 
 use crate::Error;
@@ -19,10 +22,20 @@ pub enum Bench {
     Battle,
     /// A herd on a plain: 120,000 receivers, 500 spheres, 256 clusters
     Dino,
+    /// A squirrel and balls slide down a ramp and light each other: 21,000 receivers, 14 lights, 25 clusters
+    Squirrel,
+    /// A robot walks and lights itself and the ground: 25,000 receivers, 26 lights, 68 clusters
+    Robot,
+    /// Two packages deform and light each other: 10,000 receivers, 16 lights, 18 clusters
+    Packages,
+    /// Moving things of a plant light each other: 21,000 receivers, 38 lights and a lamp, 40 clusters
+    Assembly,
     /// How time and error grow with receivers and spheres, with the hierarchy of blockers and without
     Scaling,
     /// Shadows against ray casting: the time to the same error
     Rays,
+    /// What more spheres that send light on cost, by what hides them
+    Lights,
 }
 
 /// How to run it.
@@ -34,7 +47,7 @@ pub struct Options {
     pub backend: Backend,
     /// JSON instead of tables.
     pub json: bool,
-    /// Where the chart of the comparison with rays goes.
+    /// Where the chart goes that the comparison with rays or that of lights draws.
     pub plot: Option<PathBuf>,
 }
 
@@ -44,16 +57,21 @@ pub struct Options {
 /// A sentence where options do not fit each other, there is no GPU where one is asked for, or a chart cannot be
 /// written.
 pub fn run(options: &Options) -> Result<String, Error> {
-    if options.plot.is_some() && options.bench != Bench::Rays {
+    if options.plot.is_some() && !matches!(options.bench, Bench::Rays | Bench::Lights) {
         return Err(Error::Usage(
-            "--plot draws the comparison with rays: `gaunt bench rays --plot FILE.svg`".into(),
+            "--plot draws what `gaunt bench rays` and `gaunt bench lights` measure".into(),
         ));
     }
     let moving = |name| frames::run(name, options.backend, options.json);
     match options.bench {
         Bench::Battle => moving(scenes::Name::Battle),
         Bench::Dino => moving(scenes::Name::Dino),
+        Bench::Squirrel => moving(scenes::Name::Squirrel),
+        Bench::Robot => moving(scenes::Name::Robot),
+        Bench::Packages => moving(scenes::Name::Packages),
+        Bench::Assembly => moving(scenes::Name::Assembly),
         Bench::Scaling => scaling::run(options.json),
         Bench::Rays => rays::run(options.json, options.plot.as_deref()),
+        Bench::Lights => lights::run(options.json, options.plot.as_deref()),
     }
 }

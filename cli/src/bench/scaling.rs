@@ -5,8 +5,8 @@
 //! blocker of it; without it every sphere counts for every receiver. Shadows are in steady light, from all sides and
 //! from above more than from below.
 
-use super::body::Body;
-use super::scenes::character;
+use super::body::{self, Body};
+use super::scenes::figures::character;
 use super::world::ORDER;
 use crate::Error;
 use glam::{Affine3A, Vec3};
@@ -217,8 +217,9 @@ fn crowd(spheres: usize) -> (Vec<Sphere>, Vec<usize>) {
             spheres: (i + 1) * spheres / bodies - i * spheres / bodies,
             clusters: 1,
             place: Vec3::new(at(i % side), 0.0, at(i / side)),
-            circle: 0.4,
+            way: body::Way::Circle(0.4),
             pace: 1.0,
+            albedo: [0.0; 3],
         };
         let mut poses: Vec<Affine3A> = Vec::new();
         // Everybody at another step.

@@ -1,8 +1,12 @@
-//! The two scenes of Ren et al. 2006, section 9, at their scale: a battle of two characters, and dinosaurs. Bodies are
-//! made by code; receivers, leaf spheres and clusters are as many as in the paper.
+//! Scenes at the scale of the papers: bodies are made by code; receivers, leaf spheres and clusters are as many as there.
 
-use super::body::{Body, Segment};
+pub mod figures;
+mod sending;
+mod shadows;
+
+use super::body::Body;
 use glam::Vec3;
+use sh_scene::{Indirect, Receiver};
 
 /// Which scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,316 +15,118 @@ pub enum Name {
     Battle,
     /// A herd on a plain.
     Dino,
+    /// A squirrel and balls that slide down a ramp.
+    Squirrel,
+    /// A robot.
+    Robot,
+    /// Two packages that deform.
+    Packages,
+    /// What moves in a plant.
+    Assembly,
 }
 
 impl Name {
+    /// All of them.
+    #[cfg(test)]
+    const ALL: [Self; 6] = [
+        Self::Battle,
+        Self::Dino,
+        Self::Squirrel,
+        Self::Robot,
+        Self::Packages,
+        Self::Assembly,
+    ];
+
     /// The name that commands use.
     pub fn name(self) -> &'static str {
         match self {
             Self::Battle => "battle",
             Self::Dino => "dino",
+            Self::Squirrel => "squirrel",
+            Self::Robot => "robot",
+            Self::Packages => "packages",
+            Self::Assembly => "assembly",
         }
     }
 }
 
-/// A floor and what stands and walks on it.
+/// What stands and walks around, and what it is lit by.
 pub struct Plan {
-    /// All bodies.
+    /// All bodies: they cast shadows, and send light on where that is asked for.
     pub bodies: Vec<Body>,
-    /// Receivers of the floor along one side; they are its square.
-    pub floor_side: usize,
-    /// Metres along a side of the floor.
-    pub floor_size: f32,
-    /// Clusters of the floor.
-    pub floor_clusters: usize,
+    /// Ground and walls: these receive alone.
+    pub faces: Vec<Face>,
+    /// Lights that circle above, beside the sky.
+    pub lamps: Vec<Lamp>,
+    /// How bodies light each other and the ground.
+    pub indirect: Option<Indirect>,
 }
 
-/// A scene's bodies.
+/// A rectangle of receivers.
+#[derive(Clone, Copy, Debug)]
+pub struct Face {
+    /// Its middle, in metres.
+    pub middle: Vec3,
+    /// One side, in metres.
+    pub across: Vec3,
+    /// The other; its normal is `along` × `across`.
+    pub along: Vec3,
+    /// Receivers along both.
+    pub counts: [usize; 2],
+    /// Clusters of them.
+    pub clusters: usize,
+}
+
+impl Face {
+    /// A floor about the origin, `size` metres wide.
+    fn floor(size: f32, side: usize, clusters: usize) -> Self {
+        Self {
+            middle: Vec3::ZERO,
+            across: Vec3::X * size,
+            along: Vec3::Z * size,
+            counts: [side; 2],
+            clusters,
+        }
+    }
+
+    /// Its receivers.
+    pub fn receivers(&self) -> Vec<Receiver> {
+        let [side, rows] = self.counts;
+        let normal = self.along.cross(self.across).normalize();
+        let at = |i: usize, count: usize| (i as f32 + 0.5) / count as f32 - 0.5;
+        (0..side * rows)
+            .map(|i| Receiver {
+                position: (self.middle
+                    + self.across * at(i % side, side)
+                    + self.along * at(i / side, rows))
+                .into(),
+                covered: 1,
+                normal: normal.into(),
+                object: u32::MAX,
+            })
+            .collect()
+    }
+}
+
+/// A ball that shines.
+#[derive(Clone, Copy, Debug)]
+pub struct Lamp {
+    /// Radiance of its surface.
+    pub radiance: [f32; 3],
+    /// Metres.
+    pub radius: f32,
+}
+
+/// What a scene is made of.
 pub fn plan(name: Name) -> Plan {
     match name {
-        Name::Battle => battle(),
-        Name::Dino => dino(),
+        Name::Battle => shadows::battle(),
+        Name::Dino => shadows::dino(),
+        Name::Squirrel => sending::squirrel(),
+        Name::Robot => sending::robot(),
+        Name::Packages => sending::packages(),
+        Name::Assembly => sending::assembly(),
     }
-}
-
-fn battle() -> Plan {
-    let mut bodies = vec![
-        Body {
-            segments: character(1.5, 0.26),
-            receivers: 11_000,
-            spheres: 100,
-            clusters: 8,
-            place: Vec3::new(-1.2, 0.0, 0.0),
-            circle: 0.8,
-            pace: 0.8,
-        },
-        Body {
-            segments: character(1.0, 0.16),
-            receivers: 10_000,
-            spheres: 74,
-            clusters: 8,
-            place: Vec3::new(1.6, 0.0, 0.4),
-            circle: 0.6,
-            pace: 1.1,
-        },
-        // A club that is swung by nobody.
-        Body {
-            segments: vec![Segment {
-                swing: 1.1,
-                ..Segment::still(Vec3::Y * 2.6, Vec3::Y * -0.2, Vec3::Y * -1.6, 0.2)
-            }],
-            receivers: 3_000,
-            spheres: 10,
-            clusters: 4,
-            place: Vec3::new(0.3, 0.0, 1.2),
-            circle: 0.4,
-            pace: 0.9,
-        },
-    ];
-    for (x, z) in [(-4.0, -4.0), (4.0, -4.0), (-4.0, 4.0), (4.0, 4.0)] {
-        bodies.push(Body {
-            segments: vec![Segment::still(
-                Vec3::ZERO,
-                Vec3::Y * 0.3,
-                Vec3::Y * 4.0,
-                0.35,
-            )],
-            receivers: 1_800,
-            spheres: 10,
-            clusters: 1,
-            place: Vec3::new(x, 0.0, z),
-            circle: 0.0,
-            pace: 0.0,
-        });
-    }
-    bodies.push(Body {
-        segments: vec![
-            Segment::still(
-                Vec3::ZERO,
-                Vec3::new(-0.5, 0.3, 0.0),
-                Vec3::new(0.5, 0.5, 0.2),
-                0.5,
-            ),
-            Segment::still(
-                Vec3::ZERO,
-                Vec3::new(0.0, 0.2, -0.4),
-                Vec3::new(0.3, 0.3, 0.6),
-                0.4,
-            ),
-        ],
-        receivers: 1_600,
-        spheres: 20,
-        clusters: 1,
-        place: Vec3::new(3.0, 0.0, 0.0),
-        circle: 0.0,
-        pace: 0.0,
-    });
-    // 24,000 + 8,800 + 180² = 65,200.
-    Plan {
-        bodies,
-        floor_side: 180,
-        floor_size: 14.0,
-        floor_clusters: 95,
-    }
-}
-
-fn dino() -> Plan {
-    let mut bodies: Vec<Body> = [
-        (-5.0, -3.0),
-        (4.0, -5.0),
-        (0.0, 3.0),
-        (6.0, 4.0),
-        (-6.0, 5.0),
-    ]
-    .into_iter()
-    .enumerate()
-    .map(|(i, (x, z))| Body {
-        segments: dinosaur(),
-        receivers: 12_000,
-        spheres: 90,
-        clusters: 25,
-        place: Vec3::new(x, 0.0, z),
-        circle: 1.5,
-        pace: 0.5 + 0.07 * i as f32,
-    })
-    .collect();
-    for (x, z) in [
-        (-9.0, 0.0),
-        (9.0, 0.0),
-        (0.0, -9.0),
-        (2.0, 9.0),
-        (-9.0, -9.0),
-    ] {
-        bodies.push(Body {
-            segments: vec![
-                Segment::still(Vec3::ZERO, Vec3::Y * 0.2, Vec3::Y * 3.0, 0.25),
-                Segment::still(Vec3::ZERO, Vec3::Y * 3.4, Vec3::Y * 4.2, 1.0),
-            ],
-            receivers: 2_000,
-            spheres: 10,
-            clusters: 3,
-            place: Vec3::new(x, 0.0, z),
-            circle: 0.0,
-            pace: 0.0,
-        });
-    }
-    // 60,000 + 10,000 + 224² = 120,176.
-    Plan {
-        bodies,
-        floor_side: 224,
-        floor_size: 26.0,
-        floor_clusters: 116,
-    }
-}
-
-/// A figure of so many times a person's size, with limbs of a thickness in metres, walking towards +Z.
-pub(super) fn character(size: f32, thick: f32) -> Vec<Segment> {
-    let at = |x: f32, y: f32, z: f32| Vec3::new(x, y, z) * size;
-    let body = Segment::still(
-        at(0.0, 0.95, 0.0),
-        Vec3::ZERO,
-        at(0.0, 0.5, 0.0),
-        thick * 1.5,
-    );
-    let mut all = vec![
-        Segment {
-            axis: Vec3::Y,
-            swing: 0.15,
-            ..body
-        },
-        Segment {
-            parent: Some(0),
-            axis: Vec3::X,
-            swing: 0.1,
-            ..Segment::still(
-                at(0.0, 0.62, 0.0),
-                at(0.0, 0.05, 0.0),
-                at(0.0, 0.2, 0.02),
-                thick * 1.1,
-            )
-        },
-    ];
-    for side in [-1.0, 1.0] {
-        let phase = if side > 0.0 { 0.0 } else { 0.5 };
-        // Upper arm, forearm.
-        let shoulder = Segment::still(
-            at(0.24 * side, 0.5, 0.0),
-            Vec3::ZERO,
-            at(0.1 * side, -0.3, 0.0),
-            thick * 0.7,
-        );
-        all.push(Segment {
-            parent: Some(0),
-            swing: 0.7,
-            phase,
-            ..shoulder
-        });
-        let elbow = Segment::still(
-            at(0.1 * side, -0.32, 0.0),
-            Vec3::ZERO,
-            at(0.02 * side, -0.24, 0.14),
-            thick * 0.6,
-        );
-        all.push(Segment {
-            parent: Some(all.len() - 1),
-            swing: 0.4,
-            phase,
-            ..elbow
-        });
-        // Thigh, shin, foot.
-        let hip = Segment::still(
-            at(0.12 * side, -0.02, 0.0),
-            Vec3::ZERO,
-            at(0.02 * side, -0.42, 0.0),
-            thick * 0.8,
-        );
-        all.push(Segment {
-            parent: Some(0),
-            swing: 0.6,
-            phase: phase + 0.5,
-            ..hip
-        });
-        let knee = Segment::still(
-            at(0.02 * side, -0.44, 0.0),
-            Vec3::ZERO,
-            at(0.0, -0.38, -0.02),
-            thick * 0.65,
-        );
-        all.push(Segment {
-            parent: Some(all.len() - 1),
-            swing: 0.4,
-            phase: phase + 0.6,
-            ..knee
-        });
-        let ankle = Segment::still(
-            at(0.0, -0.42, 0.0),
-            Vec3::ZERO,
-            at(0.0, -0.02, 0.16),
-            thick * 0.5,
-        );
-        all.push(Segment {
-            parent: Some(all.len() - 1),
-            swing: 0.2,
-            phase,
-            ..ankle
-        });
-    }
-    all
-}
-
-/// A dinosaur with a long neck and tail, four metres from head to tail, walking towards +Z.
-fn dinosaur() -> Vec<Segment> {
-    let at = Vec3::new;
-    let mut all = vec![Segment {
-        axis: Vec3::Z,
-        swing: 0.06,
-        ..Segment::still(
-            at(0.0, 1.3, 0.0),
-            at(0.0, 0.0, -0.6),
-            at(0.0, 0.05, 0.6),
-            0.5,
-        )
-    }];
-    // Neck and tail: chains that thin out.
-    for (start, step, first) in [
-        (at(0.0, 0.15, 0.8), at(0.0, 0.38, 0.28), 0.28),
-        (at(0.0, -0.05, -0.9), at(0.0, -0.06, -0.5), 0.3),
-    ] {
-        let mut parent = 0;
-        let mut joint = start;
-        for link in 0..4 {
-            let radius = first * 0.8_f32.powi(link);
-            all.push(Segment {
-                parent: Some(parent),
-                axis: Vec3::Y,
-                swing: 0.2,
-                phase: 0.12 * link as f32,
-                ..Segment::still(joint, Vec3::ZERO, step, radius)
-            });
-            parent = all.len() - 1;
-            joint = step;
-        }
-    }
-    for (x, z, phase) in [
-        (-0.35, 0.5, 0.0),
-        (0.35, 0.5, 0.5),
-        (-0.35, -0.5, 0.5),
-        (0.35, -0.5, 0.0),
-    ] {
-        all.push(Segment {
-            parent: Some(0),
-            swing: 0.4,
-            phase,
-            ..Segment::still(at(x, -0.3, z), Vec3::ZERO, at(0.0, -0.45, 0.0), 0.22)
-        });
-        all.push(Segment {
-            parent: Some(all.len() - 1),
-            swing: 0.3,
-            phase: phase + 0.1,
-            ..Segment::still(at(0.0, -0.5, 0.0), Vec3::ZERO, at(0.0, -0.38, 0.02), 0.17)
-        });
-    }
-    all
 }
 
 #[cfg(test)]
@@ -328,27 +134,43 @@ mod tests {
     use super::*;
 
     #[test]
-    fn scenes_are_of_the_paper_s_scale() {
-        let count = |name| {
+    fn scenes_are_of_the_papers_scale() {
+        // Receivers, moving ones, spheres, clusters, lamps.
+        let expected = [
+            [65_200, 24_000, 244, 120, 2],
+            [120_176, 60_000, 500, 256, 2],
+            [21_000, 13_000, 14, 25, 0],
+            [25_000, 15_000, 26, 68, 0],
+            [10_000, 6_000, 16, 18, 0],
+            [21_000, 13_000, 38, 40, 1],
+        ];
+        for (name, expected) in Name::ALL.into_iter().zip(expected) {
             let plan = plan(name);
             let bodies = &plan.bodies;
-            let moving = bodies
-                .iter()
-                .filter(|b| b.pace > 0.0)
-                .map(|b| b.receivers)
-                .sum::<usize>();
-            let receivers =
-                bodies.iter().map(|b| b.receivers).sum::<usize>() + plan.floor_side.pow(2);
-            let spheres = bodies.iter().map(|b| b.spheres).sum::<usize>();
-            let clusters = bodies.iter().map(|b| b.clusters).sum::<usize>() + plan.floor_clusters;
-            (receivers, moving, spheres, clusters)
-        };
-        let (receivers, moving, spheres, clusters) = count(Name::Battle);
-        assert_eq!(
-            (receivers / 1000, moving, spheres, clusters),
-            (65, 24_000, 244, 120)
-        );
-        let (receivers, _, spheres, clusters) = count(Name::Dino);
-        assert_eq!((receivers / 1000, spheres, clusters), (120, 500, 256));
+            let sum = |of: fn(&Body) -> usize| bodies.iter().map(of).sum::<usize>();
+            let faces = plan.faces.iter().map(|face| face.clusters).sum::<usize>();
+            let found = [
+                sum(|b| b.receivers)
+                    + plan
+                        .faces
+                        .iter()
+                        .map(|f| f.counts[0] * f.counts[1])
+                        .sum::<usize>(),
+                sum(|b| if b.pace > 0.0 { b.receivers } else { 0 }),
+                sum(|b| b.spheres),
+                sum(|b| b.clusters) + faces,
+                plan.lamps.len(),
+            ];
+            assert_eq!(found, expected, "{name:?}");
+        }
+    }
+
+    #[test]
+    fn receivers_of_a_floor_look_up() {
+        let on = Face::floor(2.0, 4, 1).receivers();
+        assert_eq!(on.len(), 16);
+        assert!(on.iter().all(|r| r.normal == [0.0, 1.0, 0.0]));
+        assert_eq!(on[0].position, [-0.75, 0.0, -0.75]);
+        assert_eq!(on[1].position, [-0.25, 0.0, -0.75]);
     }
 }

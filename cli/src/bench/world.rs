@@ -1,6 +1,8 @@
 //! A scene of bodies in motion: what a host keeps from frame to frame.
 
-use super::scenes::Plan;
+use super::scenes::{Lamp, Plan};
+use super::sent::Sent;
+use super::surface::Surface;
 use crate::Error;
 use glam::{Affine3A, Quat, Vec3};
 use rayon::prelude::*;
@@ -16,7 +18,25 @@ use std::time::Instant;
 pub const ORDER: usize = 4;
 
 /// What each part of a frame is called, in order.
-pub const STAGES: [&str; 5] = ["motion", "tree", "light", "cut", "shadow"];
+pub const STAGES: [&str; 8] = [
+    "motion",
+    "tree",
+    "light",
+    "light_update",
+    "cut",
+    "shadow",
+    "light_cut",
+    "light_gather",
+];
+
+/// Which of [`STAGES`] shades the receivers directly.
+pub const SHADOW: usize = 5;
+
+/// Which of them finds the order of lights.
+pub const ORDER_OF_LIGHTS: usize = 6;
+
+/// Which of them gathers what spheres send on.
+pub const GATHER: usize = 7;
 
 /// Receivers that a task moves.
 const CHUNK: usize = 1024;
@@ -37,15 +57,17 @@ pub struct World {
     pub cuts: Cuts,
     /// How coarse cuts may be.
     pub limits: Limits,
-    /// What a frame computes.
+    /// What a frame computes: light that comes directly.
     pub radiance: Vec<[f32; 3]>,
+    /// Light that comes by way of spheres, where the scene sends it on.
+    pub sent: Option<Sent>,
     moving_clusters: usize,
     moving: Vec<(u32, Receiver)>,
     rest: Vec<(u32, Sphere)>,
     plan: Plan,
     poses: Vec<Affine3A>,
     sky: Light,
-    lamps: [AreaLight; 2],
+    lamps: Vec<AreaLight>,
 }
 
 impl World {
@@ -59,12 +81,16 @@ impl World {
         let (mut moving, mut still) = (Vec::new(), Vec::new());
         let mut clusters = Vec::new();
         let mut poses = Vec::new();
+        let mut surfaces = Vec::new();
         let mut first = 0;
         for (object, body) in plan.bodies.iter().enumerate() {
             let at = poses.len();
             body.pose(0.0, &mut poses);
             let parts = body.parts(object as u32);
             counts.push(parts.spheres.len());
+            if plan.indirect.is_some() {
+                surfaces.push(Surface::new(body, &parts, &poses[at..]));
+            }
             let named = |segment: usize| (at + segment) as u32;
             rest.extend(parts.spheres.iter().map(|(s, sphere)| (named(*s), *sphere)));
             let on: Vec<(u32, Receiver)> = parts
@@ -83,9 +109,11 @@ impl World {
                 still.push((groups.sorted(&placed), groups.ranges));
             }
         }
-        let floor = floor(plan.floor_side, plan.floor_size);
-        let groups = Clusters::new(&floor, plan.floor_clusters);
-        still.push((groups.sorted(&floor), groups.ranges));
+        for face in &plan.faces {
+            let on = face.receivers();
+            let groups = Clusters::new(&on, face.clusters);
+            still.push((groups.sorted(&on), groups.ranges));
+        }
         let moving_clusters = clusters.len();
         let mut receivers: Vec<Receiver> = moving.iter().map(|r| placed(r, &poses)).collect();
         for (on, ranges) in still {
@@ -95,12 +123,12 @@ impl World {
         }
         let spheres: Vec<Sphere> = rest.iter().map(|s| placed_sphere(s, &poses)).collect();
         let sky = Light::project_smoothly(&Sky::default().map(256, 128), None, ORDER)?;
-        let lamp = |radiance, radius| AreaLight {
+        let lamp = |lamp: &Lamp| AreaLight {
             shape: AreaShape::Local {
                 center: Vec3::new(0.0, 4.0, 0.0),
-                radius,
+                radius: lamp.radius,
             },
-            radiance,
+            radiance: lamp.radiance,
             // The width is looked for once, not every frame.
             window: Some(ringing::of_small_light(ORDER)),
         };
@@ -110,7 +138,10 @@ impl World {
             light: sky.clone(),
             cuts: Cuts::default(),
             limits: Limits::default(),
-            lamps: [lamp([60.0, 42.0, 24.0], 0.3), lamp([20.0, 30.0, 60.0], 0.4)],
+            lamps: plan.lamps.iter().map(lamp).collect(),
+            sent: plan
+                .indirect
+                .map(|indirect| Sent::new(indirect, surfaces, receivers.len())),
             receivers,
             moving_clusters,
             clusters,
@@ -130,17 +161,31 @@ impl World {
         self.moving.len()
     }
 
-    /// Computes the frame at a time on the CPU; the milliseconds of each of [`STAGES`]. Spread over the threads of the
-    /// current rayon pool.
+    /// Computes the frame at a time on the CPU; the milliseconds of each of [`STAGES`], 0 of those that the scene has no
+    /// need of. Spread over the threads of the current rayon pool.
     ///
     /// # Errors
     /// Where the pass refuses what it is given, which does not happen.
-    pub fn frame(&mut self, path: Path, seconds: f32) -> Result<[f64; 5], Error> {
-        let [motion, tree, light] = self.set_out(seconds)?;
-        let (mut cut, mut shadow) = (0.0, 0.0);
-        timed(&mut cut, || self.find_cuts(path));
-        timed(&mut shadow, || self.shade(path))?;
-        Ok([motion, tree, light, cut, shadow])
+    pub fn frame(&mut self, path: Path, seconds: f32) -> Result<[f64; STAGES.len()], Error> {
+        let mut spent = [0.0; STAGES.len()];
+        spent[..3].copy_from_slice(&self.set_out(seconds)?);
+        if let Some(sent) = &mut self.sent {
+            timed(&mut spent[3], || {
+                sent.update(path, &self.forest, &self.light, self.limits)
+            })?;
+        }
+        timed(&mut spent[4], || self.find_cuts(path));
+        timed(&mut spent[SHADOW], || self.shade(path))?;
+        if let Some(sent) = &mut self.sent {
+            let (receivers, clusters) = (&self.receivers, &self.clusters);
+            timed(&mut spent[ORDER_OF_LIGHTS], || {
+                sent.find(path, receivers, clusters, &self.forest, self.limits);
+            });
+            timed(&mut spent[GATHER], || {
+                sent.gather(path, receivers, clusters)
+            })?;
+        }
+        Ok(spent)
     }
 
     /// Moves everything to where it is at a time; the milliseconds of the first three of [`STAGES`].
@@ -172,6 +217,9 @@ impl World {
             });
         for (now, rest) in self.spheres.iter_mut().zip(&self.rest) {
             *now = placed_sphere(rest, poses);
+        }
+        if let Some(sent) = &mut self.sent {
+            sent.pose(poses);
         }
     }
 
@@ -266,17 +314,4 @@ fn placed_sphere((segment, sphere): &(u32, Sphere), poses: &[Affine3A]) -> Spher
             .into(),
         radius: sphere.radius,
     }
-}
-
-/// A square of `side` by `side` receivers, `size` metres wide.
-fn floor(side: usize, size: f32) -> Vec<Receiver> {
-    let at = |i: usize| size * ((i as f32 + 0.5) / side as f32 - 0.5);
-    (0..side * side)
-        .map(|i| Receiver {
-            position: [at(i % side), 0.0, at(i / side)],
-            covered: 1,
-            normal: [0.0, 1.0, 0.0],
-            object: u32::MAX,
-        })
-        .collect()
 }

@@ -2,14 +2,18 @@
 //!
 //! | file in `codegen/data/` | holds | fitted to |
 //! |---|---|---|
+//! | `ball.txt` | polynomials of what is seen of a ball | its integral |
 //! | `cap_log.txt` | polynomials of the logarithm of a circle's visibility | each exponential, against true visibilities; the eigen logarithm |
 //! | `cap_log_table.txt` | the eigen logarithm at whole degrees | nothing: computed |
+//! | `lens.txt` | polynomials of the common part of two discs | its inverse cosines |
 //! | `optimal_linear.txt` | factors of the optimal linear exponential | circles |
 //! | `saturating.txt` | compression and gains of the saturating exponential | true visibilities, together with its logarithm |
 //!
 //! The library compiles the files in. A test refits and compares.
 
+mod ball;
 mod circles;
+mod lens;
 mod linear;
 mod marquardt;
 mod sets;
@@ -71,8 +75,10 @@ pub fn all(progress: &(dyn Fn(f32) + Sync)) -> Vec<DataFile> {
     order::<25>(&mut texts, &part(progress, &shares, 3));
     order::<36>(&mut texts, &part(progress, &shares, 4));
     [
+        ("ball.txt", ball::text()),
         ("cap_log.txt", texts.cap_log),
         ("cap_log_table.txt", texts.cap_log_table),
+        ("lens.txt", lens::text()),
         ("optimal_linear.txt", texts.optimal_linear),
         ("saturating.txt", texts.saturating),
     ]

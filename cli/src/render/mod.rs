@@ -2,16 +2,18 @@
 
 mod frames;
 mod gpu;
+mod reference;
 mod settings;
 
 pub use frames::{Frames, Pattern, frame_numbers, frame_rate};
+pub use reference::Reference;
 pub use settings::Overrides;
 
 use crate::Error;
 use crate::gpu::Gpu;
 use crate::image::{Output, Picture, exposure};
 use crate::progress::Progress;
-use crate::report::{Body, Report, Sequence, Times, planned};
+use crate::report::{Body, Report, Sequence, Surface, Times, planned};
 use frames::Files;
 use sh_bake::{Cache, ClipChoice, Loaded};
 use sh_scene::motion::Motion;
@@ -46,6 +48,8 @@ pub struct Options {
     pub clip: Option<String>,
     /// What renders.
     pub backend: Backend,
+    /// The path tracer in place of the passes.
+    pub reference: Option<Reference>,
     /// Width and height, in pixels.
     pub size: [u32; 2],
     /// Settings instead of the scene's.
@@ -67,6 +71,7 @@ impl Default for Options {
             frames: None,
             clip: None,
             backend: Backend::Auto,
+            reference: None,
             size: [1280, 720],
             settings: Overrides::default(),
             stops: 0.0,
@@ -97,6 +102,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
     let mut times = Times::default();
     let progress = Progress::new("loading the scene");
     // First whatever can fail at once.
+    check_reference(options)?;
     let mut files = Files::open(&options.out, options.frames.as_ref())?;
     let report = options.report.as_deref().map(Output::create).transpose()?;
 
@@ -107,7 +113,16 @@ pub fn render(options: &Options) -> Result<Report, Error> {
     } = load(options, &progress)?;
     times.add("read", loaded.read_time.as_secs_f64());
     times.add("fit spheres", loaded.fit_time.as_secs_f64());
-    let choice = times.measure("device", || choose(options.backend))?;
+    if !loaded.surfaces.is_empty() {
+        times.add("surfaces", loaded.surface_time.as_secs_f64());
+    }
+    let choice = times.measure("device", || match options.reference {
+        Some(_) => Ok(Choice {
+            gpu: None,
+            reason: "The CPU traces paths, because the truth was asked for.".into(),
+        }),
+        None => choose(options.backend),
+    })?;
     let settings = scene.settings;
     let mut light = times.measure("light", || scene.light())?;
     // One for all frames, so that none flickers.
@@ -130,8 +145,11 @@ pub fn render(options: &Options) -> Result<Report, Error> {
             let seconds = f64::from(number) / frames.rate;
             times.measure("pose", || motion.pose(seconds, &mut scene));
         }
-        let pixels = match &choice.gpu {
-            Some(gpu) => {
+        let pixels = match (&options.reference, &choice.gpu) {
+            (Some(reference), _) => {
+                reference::picture(reference, &scene, &view, &mut times, &done)?
+            }
+            (None, Some(gpu)) => {
                 if motion.turns() {
                     light = times.measure("light", || scene.light())?;
                 }
@@ -142,7 +160,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
                 };
                 gpu::picture(gpu, &mut painter, (&scene, &light), &shot, &mut times)?
             }
-            None => {
+            (None, None) => {
                 let frame = sh_cpu::render(&scene, &plan, (width, height), &done)?;
                 for (stage, time) in frame.stages {
                     times.add(stage, time.as_secs_f64());
@@ -179,9 +197,13 @@ pub fn render(options: &Options) -> Result<Report, Error> {
         accumulation: settings.accumulation,
         exposure,
         objects: loaded.fits.iter().map(Body::new).collect(),
+        surfaces: loaded.surfaces.iter().map(Surface::new).collect(),
         moves: loaded.moves,
         warnings: loaded.warnings,
-        plan: planned(&plan),
+        plan: match &options.reference {
+            Some(reference) => reference.planned(&scene),
+            None => planned(&plan),
+        },
         stages: times.0,
         seconds: start.elapsed().as_secs_f64(),
     };
@@ -195,8 +217,30 @@ pub fn render(options: &Options) -> Result<Report, Error> {
     Ok(summary)
 }
 
+/// What the path tracer cannot do.
+fn check_reference(options: &Options) -> Result<(), Error> {
+    if options.reference.is_none() {
+        return Ok(());
+    }
+    let wrong = match options.settings {
+        _ if options.backend == Backend::Gpu => {
+            "--reference traces paths on the CPU: it goes with --backend cpu or auto, not with gpu"
+        }
+        Overrides {
+            shadows: Some(false),
+            ..
+        } => "--reference traces paths, which cast shadows: it does not go with --shadows off",
+        Overrides {
+            half_resolution: Some(true),
+            ..
+        } => "--reference traces every sample: it does not go with --half-resolution on",
+        _ => return Ok(()),
+    };
+    Err(Error::Usage(wrong.into()))
+}
+
 /// The scene with what the command line says instead.
-fn load(options: &Options, progress: &Progress) -> Result<Loaded, Error> {
+pub(crate) fn load(options: &Options, progress: &Progress) -> Result<Loaded, Error> {
     options.settings.check()?;
     let tell = |step: sh_bake::Progress| progress.set(step.done as f32 / step.total.max(1) as f32);
     let clip = match (&options.clip, &options.frames) {

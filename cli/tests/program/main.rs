@@ -6,6 +6,8 @@ mod frames;
 mod misuse;
 mod render;
 mod tables;
+mod truth;
+mod validate;
 
 use std::io::Write;
 use std::path::PathBuf;

@@ -209,6 +209,41 @@ fn options_that_make_no_sense_are_refused() {
             &["project", &folder.file("missing.txt"), "--order", "3"],
             "missing.txt",
         ),
+        (&["render", "-o", &out, "--reference", "0"], "--reference"),
+        (
+            &["render", "-o", &out, "--reference", "8", "--backend", "gpu"],
+            "--backend cpu or auto, not with gpu",
+        ),
+        (
+            &["render", "-o", &out, "--reference", "8", "--shadows", "off"],
+            "--shadows off",
+        ),
+        (
+            &[
+                "render",
+                "-o",
+                &out,
+                "--reference",
+                "8",
+                "--half-resolution",
+                "on",
+            ],
+            "--half-resolution on",
+        ),
+        (
+            &["render", "-o", &out, "--reference-bounces", "2"],
+            "--reference",
+        ),
+        (&["compare", "--reference", "1"], "--reference"),
+        (&["compare", "--size", "9000x9"], "at most 8192 pixels"),
+        (
+            &["compare", "-o", &folder.file("sheet.exr")],
+            "must end in .png",
+        ),
+        (
+            &["compare", &folder.file("missing.toml"), "-o", &out],
+            "missing.toml",
+        ),
         (&["eval", "--backend", "f16"], "--backend"),
         (&["fit", "--out", &folder.file("missing")], "--out"),
         (&["sing"], "sing"),

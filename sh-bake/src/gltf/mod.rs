@@ -88,6 +88,12 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<Loaded, Error> {
             }
             part.material =
                 material(&primitive, folder, &buffers, &mut part.uvs).map_err(explain)?;
+            for wrong in clamp(&primitive, &mut part) {
+                let display = shown(path);
+                warnings.push(format!(
+                    "{display}: {name}: {wrong}, and reflectances lie between 0 and 1; it was clamped."
+                ));
+            }
             part.name = name;
             parts.push(part);
         }
@@ -165,6 +171,7 @@ fn surface(
         positions: Vec::new(),
         normals: Vec::new(),
         uvs: Vec::new(),
+        colors: Vec::new(),
         triangles: Vec::new(),
         material: Material {
             albedo: crate::WHITE,
@@ -183,6 +190,14 @@ fn surface(
             Semantic::Positions | Semantic::Normals => (Dimensions::Vec3, &[DataType::F32]),
             Semantic::TexCoords(_) => (
                 Dimensions::Vec2,
+                &[DataType::F32, DataType::U8, DataType::U16],
+            ),
+            // Colours may have an alpha, which counts for nothing here.
+            Semantic::Colors(0) => (
+                match accessor.dimensions() {
+                    Dimensions::Vec4 => Dimensions::Vec4,
+                    _ => Dimensions::Vec3,
+                },
                 &[DataType::F32, DataType::U8, DataType::U16],
             ),
             Semantic::Joints(0) => (Dimensions::Vec4, &[DataType::U8, DataType::U16]),
@@ -240,6 +255,22 @@ fn surface(
     if part.uvs.len() != part.positions.len() {
         part.uvs.clear();
     }
+    part.colors = reader
+        .read_colors(0)
+        .map(|colors| colors.into_rgb_f32().collect())
+        .unwrap_or_default();
+    if let Some(color) = part
+        .colors
+        .iter()
+        .find(|c| !c.iter().all(|c| c.is_finite()))
+    {
+        return Err(format!(
+            "COLOR_0: a vertex has the colour {color:?}, and colours have to be finite"
+        ));
+    }
+    if part.colors.len() != part.positions.len() {
+        part.colors.clear();
+    }
     let joints: Vec<[u16; 4]> = reader
         .read_joints(0)
         .map(|j| j.into_u16().collect())
@@ -283,7 +314,7 @@ fn material(
 ) -> Result<Material, String> {
     let surface = primitive.material().pbr_metallic_roughness();
     let [r, g, b, _] = surface.base_color_factor();
-    let albedo = [r, g, b].map(|c| c.clamp(0.0, 1.0));
+    let albedo = [r, g, b];
     let texture = match surface.base_color_texture() {
         Some(info) if !uvs.is_empty() => Some(texture::load(&info.texture(), folder, buffers)?),
         _ => None,
@@ -296,4 +327,25 @@ fn material(
         ));
     }
     Ok(Material { albedo, texture })
+}
+
+/// Takes what a part reflects to 0..=1. What was outside, without a full stop.
+fn clamp(primitive: &Primitive, part: &mut RawPart) -> Vec<String> {
+    let inside = |color: &[f32; 3]| color.iter().all(|c| (0.0..=1.0).contains(c));
+    let mut wrong = Vec::new();
+    let albedo = &mut part.material.albedo;
+    if !inside(albedo) {
+        let material = primitive.material().index().unwrap_or_default();
+        wrong.push(format!(
+            "materials[{material}].pbrMetallicRoughness.baseColorFactor is {albedo:?}"
+        ));
+        *albedo = albedo.map(|c| c.clamp(0.0, 1.0));
+    }
+    if let Some(color) = part.colors.iter().find(|color| !inside(color)) {
+        wrong.push(format!("COLOR_0 has the colour {color:?}"));
+        for color in &mut part.colors {
+            *color = color.map(|c| c.clamp(0.0, 1.0));
+        }
+    }
+    wrong
 }

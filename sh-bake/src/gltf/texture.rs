@@ -70,3 +70,20 @@ fn rgba(image: &Image) -> Vec<u8> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn floats_are_cut_to_what_reflects_and_what_is_no_number_is_black() {
+        let pixels = [f32::NAN, f32::INFINITY, -1.0, 0.5, 7.0, 0.0];
+        let image = Image {
+            pixels: pixels.into_iter().flat_map(f32::to_le_bytes).collect(),
+            format: Format::R32G32B32FLOAT,
+            width: 2,
+            height: 1,
+        };
+        assert_eq!(rgba(&image), [0, 255, 0, 255, 127, 255, 0, 255]);
+    }
+}

@@ -15,7 +15,7 @@ mod random;
 mod solid;
 mod start;
 mod state;
-mod winding;
+pub(crate) mod winding;
 
 use glam::DVec3;
 use pieces::Pieces;

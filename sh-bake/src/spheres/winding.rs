@@ -9,14 +9,14 @@ use glam::DVec3;
 use std::f64::consts::PI;
 
 /// Winding numbers above this are inside: a half, and what the dipoles may be wrong.
-pub(super) const INSIDE: f64 = 0.51;
+pub(crate) const INSIDE: f64 = 0.51;
 /// A group is far where the point is this many of its radii away.
 const FAR: f64 = 5.0;
 /// Triangles in a group that is not divided.
 const LEAF: usize = 8;
 
 /// Triangles in groups.
-pub(super) struct Winding {
+pub(crate) struct Winding {
     triangles: Vec<[DVec3; 3]>,
     /// The tree, depth first; a node's first child follows it.
     nodes: Vec<Node>,
@@ -34,7 +34,7 @@ struct Node {
 }
 
 impl Winding {
-    pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]]) -> Self {
+    pub(crate) fn new(points: &[DVec3], triangles: &[[u32; 3]]) -> Self {
         let corners = triangles.iter().map(|t| t.map(|i| points[i as usize]));
         let mut tree = Self {
             triangles: corners.collect(),
@@ -84,7 +84,7 @@ impl Winding {
     }
 
     /// The winding number about a point.
-    pub(super) fn at(&self, point: DVec3) -> f64 {
+    pub(crate) fn at(&self, point: DVec3) -> f64 {
         let (mut sum, mut i) = (0.0, 0);
         while let Some(node) = self.nodes.get(i) {
             let away = node.center - point;

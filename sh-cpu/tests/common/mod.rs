@@ -56,6 +56,7 @@ pub fn object(mesh: Mesh, transform: Affine3A) -> Object {
             center: [0.0; 3],
             radius,
         }],
+        surface: Default::default(),
     }
 }
 

@@ -1,13 +1,14 @@
 //! The passes as middleware: other people's buffers, and what does not fit.
 
 use crate::gpu::Gpu;
-use crate::scenes::{Numbers, ball_and_quad, lamps, standing_quad, view};
+use crate::scenes::{Numbers, ball_and_quad, bouncing, lamps, standing_quad, view};
 use crate::shading::shadow;
 use sh_gpu::{
-    Bands, Bodies, ClusterBinding, Error, IrradiancePass, Renderer, ResolvePass, ShadowOptions,
-    ShadowPass,
+    Bands, Bodies, ClusterBinding, Error, IrradiancePass, LightGatherPass, LightUpdatePass,
+    Renderer, ResolvePass, ShadowOptions, ShadowPass, Shining,
 };
-use sh_scene::{EnvironmentMap, Forest, Limits, Plan, Receiver, Resolution, Scene, View};
+use sh_scene::surface::SurfacePoint;
+use sh_scene::{Blocking, EnvironmentMap, Forest, Limits, Plan, Receiver, Resolution, Scene, View};
 use wgpu::{BufferBinding, BufferSize, BufferUsages};
 
 fn part(buffer: &wgpu::Buffer, offset: u64, size: u64) -> BufferBinding<'_> {
@@ -254,4 +255,69 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
         pixels: vec![[0.0; 3]; 9000],
     };
     says(ResolvePass::new(device, &gpu.queue, &bands, &map), "9000");
+}
+
+pub fn lights_that_do_not_fit_are_an_error(gpu: &Gpu) {
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    let scene = bouncing();
+    let forest = scene.forest();
+    let many = ShadowOptions {
+        max_blockers: 500_000,
+        ..ShadowOptions::default()
+    };
+    let many = ShadowPass::new(device, many).unwrap();
+    says(
+        LightGatherPass::new(device, &many, Blocking::Discs),
+        "room for what spheres send on needs 272000000, but the device's limit `max_storage_buffer_binding_size`",
+    );
+    drop(many);
+    let pass = |max_blockers| {
+        let options = ShadowOptions {
+            max_blockers,
+            ..ShadowOptions::default()
+        };
+        let shadow = ShadowPass::new(device, options).unwrap();
+        let gather = LightGatherPass::new(device, &shadow, Blocking::Discs).unwrap();
+        (shadow, gather)
+    };
+    let (shadow, gather) = pass(42);
+    gather.prepare(queue, &forest, [2, 40]).unwrap();
+    says(
+        gather.prepare(queue, &forest, [2, 39]),
+        "the bodies have 41 spheres, but the tree of blockers has 42",
+    );
+    let (_, few) = pass(41);
+    says(
+        few.prepare(queue, &forest, [2, 40]),
+        "42 blocker spheres do not fit the 41",
+    );
+    let (input, output) = (gpu.room(3200), gpu.room(1600));
+    says(
+        gather.bind(device, part(&input, 0, 3200), part(&output, 0, 1584)),
+        "`radiance` holds 99",
+    );
+
+    let mut objects = scene.objects.clone();
+    let all = objects.iter().map(Shining::from);
+    let update = LightUpdatePass::new(device, queue, &shadow, &gather, all.clone(), 1).unwrap();
+    update.prepare(queue, all.clone(), &forest).unwrap();
+    says(
+        update.prepare(
+            queue,
+            all,
+            &Forest::new(&scene.world_spheres()[..41], &[41]),
+        ),
+        "the bodies have 42 spheres, but the tree of blockers has 41",
+    );
+    let known = objects[0].surface.points.len() + objects[1].surface.points.len();
+    objects[0].surface.push([SurfacePoint::default()]);
+    let again = objects[0].spheres[0];
+    objects[0].spheres.push(again);
+    let sentence = format!(
+        "the bodies have 43 spheres with {} surface points, but the pass was made for 42 with {known}",
+        known + 1
+    );
+    let more = objects.iter().map(Shining::from);
+    says(update.prepare(queue, more.clone(), &forest), &sentence);
+    says(update.update_surfaces(queue, more), &sentence);
 }

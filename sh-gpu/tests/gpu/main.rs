@@ -8,6 +8,7 @@ mod gpu;
 mod hard_cases;
 mod hard_scenes;
 mod host;
+mod lights;
 mod parity;
 mod scenes;
 mod shading;
@@ -67,6 +68,10 @@ const TESTS: &[Test] = &[
         "frame::the_sky_is_the_environment_map",
         frame::the_sky_is_the_environment_map,
     ),
+    (
+        "host::lights_that_do_not_fit_are_an_error",
+        host::lights_that_do_not_fit_are_an_error,
+    ),
     ("frame::bands_leave_no_seam", frame::bands_leave_no_seam),
     (
         "frame::a_steady_frame_creates_nothing",
@@ -115,6 +120,18 @@ const TESTS: &[Test] = &[
     (
         "parity::pictures_are_those_of_the_cpu",
         parity::pictures_are_those_of_the_cpu,
+    ),
+    (
+        "lights::spheres_send_what_they_do_on_the_cpu",
+        lights::spheres_send_what_they_do_on_the_cpu,
+    ),
+    (
+        "lights::long_cuts_are_those_of_the_cpu",
+        lights::long_cuts_are_those_of_the_cpu,
+    ),
+    (
+        "lights::what_is_sent_stays_bounded",
+        lights::what_is_sent_stays_bounded,
     ),
     (
         "frame::timestamps_tell_every_pass",

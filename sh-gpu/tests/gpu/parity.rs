@@ -2,7 +2,7 @@
 //! node at the very threshold of a cut, a sample at that of the upsampling) a little more, here and there.
 
 use crate::gpu::Gpu;
-use crate::scenes::{Numbers, ball_and_quad, lamps, view};
+use crate::scenes::{Numbers, ball_and_quad, bouncing, lamps, view};
 use sh_cpu::{CutOptions, Cuts, Failed, Gbuffer, Geometry, Halves, Path, Shadow};
 use sh_gpu::{
     Bands, ClusterBinding, HalfBinding, IrradiancePass, Renderer, ShadowOptions, ShadowPass,
@@ -12,7 +12,7 @@ use sh_scene::{Clusters, Forest, Light, Limits, Plan, Receiver, Scene, Sphere, V
 use std::ops::Range;
 
 /// How many differ by more than rounding, and the largest difference.
-fn compare<'a>(
+pub fn compare<'a>(
     found: impl IntoIterator<Item = &'a [f32; 4]>,
     expected: impl IntoIterator<Item = &'a [f32; 3]>,
 ) -> (usize, f32) {
@@ -42,7 +42,7 @@ fn heaps(numbers: &mut Numbers) -> (Vec<Sphere>, Vec<usize>) {
 }
 
 /// Receivers in clusters of any size, and one of which nothing is covered.
-fn clustered(numbers: &mut Numbers, count: usize) -> (Vec<Receiver>, Vec<Range<usize>>) {
+pub fn clustered(numbers: &mut Numbers, count: usize) -> (Vec<Receiver>, Vec<Range<usize>>) {
     let receivers = numbers.receivers(count);
     let clusters = Clusters::new(&receivers, 14);
     let mut sorted = clusters.sorted(&receivers);
@@ -220,6 +220,7 @@ pub fn upsampled_light_is_that_of_the_cpu(gpu: &Gpu) {
     let binding = || HalfBinding {
         receivers: half.as_entire_buffer_binding(),
         shares: shares.as_entire_buffer_binding(),
+        sent: None,
     };
     let input = gpu.buffer(&samples.receivers);
     let output = gpu.buffer(&vec![[-1.0_f32; 4]; samples.receivers.len()]);
@@ -247,25 +248,38 @@ pub fn upsampled_light_is_that_of_the_cpu(gpu: &Gpu) {
     assert!(count <= 5 && most < 0.1, "{count} differ, {most} at most");
 }
 
-/// Whole pictures with odd sides, at full and at half resolution. A sample at an edge may fall to either side.
+/// Whole pictures with odd sides, at full and at half resolution, without and with light that spheres send on. A sample
+/// at an edge may fall to either side.
 pub fn pictures_are_those_of_the_cpu(gpu: &Gpu) {
-    for half in [false, true] {
-        let mut scene = ball_and_quad();
-        scene.settings.half_resolution = half;
-        let view = view(&scene, 77, 55);
-        let plan = Plan::new(&scene);
-        let expected = sh_cpu::render(&scene, &plan, (77, 55), &|_| {}).unwrap();
-        let renderer = Renderer::new(&gpu.device, &gpu.queue, &scene, &plan, &view).unwrap();
-        let light = scene.light().unwrap();
-        let forest = scene.forest();
-        renderer
-            .prepare(&gpu.queue, &scene, &forest, &light, &view)
-            .unwrap();
-        gpu.submit(|encoder| renderer.record(encoder, None));
-        let found: Vec<[f32; 4]> = gpu.read(renderer.picture());
-        let far = |(a, b): &(&[f32; 4], &[f32; 3])| (0..3).any(|c| (a[c] - b[c]).abs() > 1e-3);
-        let count = found.iter().zip(&expected.pixels).filter(far).count();
-        println!("half resolution {half}: {count} of {} differ", found.len());
-        assert!(count <= 4, "half resolution {half}: {count} differ");
+    let (mut pictures, sizes) = (Vec::new(), (77, 55));
+    for mut scene in [ball_and_quad(), bouncing()] {
+        for half in [false, true] {
+            scene.settings.half_resolution = half;
+            let view = view(&scene, 77, 55);
+            let plan = Plan::new(&scene);
+            let expected = sh_cpu::render(&scene, &plan, sizes, &|_| {}).unwrap();
+            let renderer = Renderer::new(&gpu.device, &gpu.queue, &scene, &plan, &view).unwrap();
+            let light = scene.light().unwrap();
+            let forest = scene.forest();
+            renderer
+                .prepare(&gpu.queue, &scene, &forest, &light, &view)
+                .unwrap();
+            gpu.submit(|encoder| renderer.record(encoder, None));
+            let found: Vec<[f32; 4]> = gpu.read(renderer.picture());
+            let far = |(a, b): &(&[f32; 4], &[f32; 3])| (0..3).any(|c| (a[c] - b[c]).abs() > 1e-3);
+            let count = found.iter().zip(&expected.pixels).filter(far).count();
+            println!("half resolution {half}: {count} of {} differ", found.len());
+            assert!(count <= 4, "half resolution {half}: {count} differ");
+            pictures.push(found);
+        }
+    }
+    let [dark, dark_half, bright, bright_half] = &pictures[..] else {
+        panic!("four pictures");
+    };
+    for (dark, bright) in [(dark, bright), (dark_half, bright_half)] {
+        let brighter = |(a, b): &(&[f32; 4], &[f32; 4])| (0..3).any(|c| b[c] > a[c] + 2e-3);
+        let count = dark.iter().zip(bright).filter(brighter).count();
+        println!("light that is sent on makes {count} pixels brighter");
+        assert!(count > 300, "{count} are brighter");
     }
 }

@@ -1,9 +1,10 @@
 //! Things to light, made from a counter: the same in every run.
 
-use glam::{Affine3A, Vec3};
+use glam::{Affine3A, Quat, Vec3};
+use sh_scene::surface::{SurfacePoint, SurfaceSamples, directions};
 use sh_scene::{
-    AreaLight, AreaShape, Camera, EnvironmentMap, Ground, Light, Limits, Material, Mesh, Object,
-    Receiver, Scene, Settings, Sphere, View,
+    AreaLight, AreaShape, Blocking, Camera, EnvironmentMap, Ground, Indirect, Light, Limits,
+    Material, Mesh, Object, Receiver, Scene, Settings, Sphere, View,
 };
 
 /// Numbers in 0..1, the same every time (SplitMix64).
@@ -71,6 +72,7 @@ pub fn quad(center: Vec3, right: Vec3, up: Vec3) -> Mesh {
         normals: vec![right.cross(up).normalize().into(); 4],
         uvs: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
         triangles: vec![[0, 1, 2], [0, 2, 3]],
+        ..Mesh::default()
     }
 }
 
@@ -94,6 +96,7 @@ pub fn standing_quad() -> Scene {
                 radius: 0.5,
             },
         ],
+        surface: Default::default(),
     };
     let mut numbers = Numbers(5);
     let pixels = (0..32 * 16)
@@ -123,6 +126,7 @@ pub fn standing_quad() -> Scene {
             window: Some(8.0),
             half_resolution: false,
             limits: Limits::default(),
+            indirect: None,
         },
     }
 }
@@ -176,7 +180,7 @@ pub fn lamps() -> Vec<AreaLight> {
     ]
 }
 
-/// A ball of forty blockers before a quad on the ground, lit by the sky and by lamps, at half resolution.
+/// A ball of many colours with forty blockers before a quad on the ground, lit by the sky and by lamps, at half resolution.
 pub fn ball_and_quad() -> Scene {
     let mut scene = standing_quad();
     let mut numbers = Numbers(8);
@@ -186,15 +190,58 @@ pub fn ball_and_quad() -> Scene {
             radius: 0.15,
         })
         .collect();
+    let mut mesh = ball(0.5, 24);
+    mesh.colors = mesh.positions.iter().map(|p| p.map(|c| c + 0.5)).collect();
     scene.objects.push(Object {
         name: "ball".into(),
-        mesh: ball(0.5, 24),
+        mesh,
         transform: Affine3A::from_translation(Vec3::new(0.6, 0.5, 1.2)),
         spheres,
         ..scene.objects[0].clone()
     });
     scene.lights = lamps();
     scene.settings.half_resolution = true;
+    scene
+}
+
+/// Points in most directions around each sphere, somewhat off it.
+pub fn surface(numbers: &mut Numbers, spheres: &[Sphere]) -> SurfaceSamples {
+    let mut samples = SurfaceSamples::default();
+    for sphere in spheres {
+        let mut points = Vec::new();
+        for (direction, towards) in (0..).zip(directions()) {
+            if numbers.next() < 0.3 {
+                continue;
+            }
+            let away = Vec3::from(*towards) * sphere.radius * (0.9 + 0.2 * numbers.next());
+            points.push(SurfacePoint {
+                position: (Vec3::from(sphere.center) + away).into(),
+                direction,
+                normal: (Vec3::from(*towards) + numbers.vector() * 0.2)
+                    .normalize()
+                    .into(),
+                albedo: [numbers.next(), numbers.next(), numbers.next()],
+                ..Default::default()
+            });
+        }
+        samples.push(points);
+        let turn = Quat::from_scaled_axis(numbers.vector() * 2.0);
+        *samples.rotations.last_mut().unwrap() = turn.to_array();
+    }
+    samples
+}
+
+/// The same, with bodies whose spheres send light on twice.
+pub fn bouncing() -> Scene {
+    let mut scene = ball_and_quad();
+    let mut numbers = Numbers(21);
+    for object in &mut scene.objects {
+        object.surface = surface(&mut numbers, &object.spheres);
+    }
+    scene.settings.indirect = Some(Indirect {
+        bounces: 2,
+        blocking: Blocking::Discs,
+    });
     scene
 }
 

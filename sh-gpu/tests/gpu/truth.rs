@@ -20,8 +20,8 @@ pub fn replaced(receiver: &Receiver, sphere: &Sphere) -> Option<([f64; 3], f64)>
         return None;
     }
     let foot: [f64; 3] = std::array::from_fn(|i| center[i] - c * normal[i]);
-    let d = (r * r - c * c).sqrt();
-    let a = ((dot(foot, foot).sqrt() - d) / d).clamp(0.0, 1.0);
+    let circle = r * r - c * c;
+    let a = ((dot(foot, foot) / circle - 1.0) / 3.0).clamp(0.0, 1.0);
     let radius = (1.0 - a) * c.max(0.0) + a * (r + c) / 2.0;
     Some((
         std::array::from_fn(|i| foot[i] + radius * normal[i]),

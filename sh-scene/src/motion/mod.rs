@@ -3,7 +3,7 @@
 //! ```text
 //! keys  ─────────────────────────────────> an object's transform
 //! clip ──> skeleton ──> bones ──> skin ──> a mesh's positions and normals
-//!                         └────> anchors > its spheres' centres
+//!                         └────> anchors > its spheres' centres, and their surface points
 //! rate ──────────────────────────────────> the environment's turn
 //! ```
 //!
@@ -29,7 +29,9 @@ mod keys;
 mod rig;
 mod skeleton;
 mod skin;
+mod surface;
 mod track;
+mod turn;
 
 pub use anchors::{Anchor, Anchors};
 pub use keys::{Keys, Place};
@@ -38,9 +40,10 @@ pub use skeleton::{Bone, Clip, Joint, JointTracks, Skeleton, Trs};
 pub use skin::{Influences, Skin};
 pub use track::{Interpolation, Track, Value};
 
-use crate::{EnvironmentMap, Scene};
+use crate::{EnvironmentMap, Object, Scene};
 use std::ops::Range;
 use std::sync::Arc;
+use surface::Surface;
 
 /// Why something cannot move. The messages tell what is wrong and have no full stop.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -122,11 +125,20 @@ struct Turn {
     rate: f64,
 }
 
+/// A rig and the first of the objects that it moves.
+#[derive(Clone, Debug)]
+struct Rigged {
+    first: usize,
+    rig: Arc<Rig>,
+    /// The object's surface samples at rest, if it has any.
+    surface: Option<Surface>,
+}
+
 /// How a scene moves. The default moves nothing and costs nothing.
 #[derive(Clone, Debug, Default)]
 pub struct Motion {
     keys: Vec<(Range<usize>, Keys)>,
-    rigs: Vec<(usize, Arc<Rig>)>,
+    rigs: Vec<Rigged>,
     turn: Option<Turn>,
     /// Room for a rig's matrices.
     pose: Pose,
@@ -140,7 +152,28 @@ impl Motion {
 
     /// Lets a rig move meshes and spheres of the scene's objects from `first` on, one for each of its skins.
     pub fn add_rig(&mut self, first: usize, rig: Arc<Rig>) {
-        self.rigs.push((first, rig));
+        self.rigs.push(Rigged {
+            first,
+            rig,
+            surface: None,
+        });
+    }
+
+    /// Lets the surface samples of objects that rigs move go along with their spheres. They are taken as they are now:
+    /// sampled where the rigs' skeletons rest, without a clip, with the spheres where they are then.
+    pub fn add_surfaces(&mut self, objects: &[Object]) {
+        for Rigged {
+            first,
+            rig,
+            surface,
+        } in &mut self.rigs
+        {
+            let object = objects.get(*first).filter(|o| !o.surface.is_empty());
+            *surface = object.map(|object| {
+                self.pose.set(rig.skeleton(), rig.bones(), None);
+                Surface::new(object, rig.anchors(), self.pose.bones())
+            });
+        }
     }
 
     /// Turns the environment: `rest` by `start` radians at time 0, and by `rate` radians more each second,
@@ -173,12 +206,12 @@ impl Motion {
     /// The longest time, in seconds, that keys or a clip take; 0 where there are none.
     pub fn period(&self) -> f64 {
         let keys = self.keys.iter().map(|(_, keys)| keys.duration());
-        let clips = self.rigs.iter().map(|(_, rig)| rig.clip().duration());
+        let clips = self.rigs.iter().map(|r| r.rig.clip().duration());
         keys.chain(clips).map(f64::from).fold(0.0, f64::max)
     }
 
     /// Puts `scene` into the state that it has at a time: objects' transforms, meshes' positions and normals,
-    /// spheres' centres, the environment. What does not move is not touched. The result depends on the time
+    /// spheres' centres and surface points, the environment. What does not move is not touched. The result depends on the time
     /// alone; one that is not finite counts as 0.
     ///
     /// `scene` is the one that this motion was made for; objects that it lacks are passed over.
@@ -191,9 +224,19 @@ impl Motion {
                 object.transform = transform;
             }
         }
-        for (first, rig) in &self.rigs {
-            if let Some(objects) = scene.objects.get_mut(*first..) {
-                rig.pose(seconds, &mut self.pose, objects);
+        for Rigged {
+            first,
+            rig,
+            surface,
+        } in &self.rigs
+        {
+            let Some(objects) = scene.objects.get_mut(*first..) else {
+                continue;
+            };
+            rig.pose(seconds, &mut self.pose, objects);
+            if let (Some(surface), Some(object)) = (surface, objects.first_mut()) {
+                let (spheres, samples) = (&object.spheres, &mut object.surface);
+                surface.pose(rig.anchors(), self.pose.bones(), spheres, samples);
             }
         }
         if let Some(angle) = self.environment_angle(seconds)

@@ -86,6 +86,11 @@ impl Rig {
         &self.clip
     }
 
+    /// The joints.
+    pub fn skeleton(&self) -> &Skeleton {
+        &self.skeleton
+    }
+
     /// What carries vertices and spheres.
     pub fn bones(&self) -> &[Bone] {
         &self.bones

@@ -5,7 +5,8 @@
 
 use crate::Error;
 use crate::image::Output;
-use ab_glyph::{Font, FontRef, Glyph, ScaleFont, point};
+pub(super) use crate::words::{Align, Color, Point};
+use crate::words::{Fonts, Text};
 use image::{ExtendedColorType, ImageEncoder, RgbImage, imageops};
 use plotters::backend::{BitMapBackend, DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -16,20 +17,6 @@ use plotters::style::{
 use std::io::Write;
 use std::path::Path;
 
-/// Red, green and blue, as a screen shows them.
-pub(super) type Color = [u8; 3];
-
-/// Right and down, in pixels of the PNG file.
-pub(super) type Point = [f64; 2];
-
-/// Which part of a text is at its position.
-#[derive(Clone, Copy)]
-pub(super) enum Align {
-    Left,
-    Center,
-    Right,
-}
-
 struct Shape {
     points: Vec<Point>,
     color: Color,
@@ -38,37 +25,16 @@ struct Shape {
     width: Option<f64>,
 }
 
-struct Text {
-    words: String,
-    at: Point,
-    size: f64,
-    color: Color,
-    bold: bool,
-    align: Align,
-    /// Reads upwards.
-    upwards: bool,
-}
-
 /// What is to be drawn. All text is over all shapes.
 pub(super) struct Canvas {
     size: [u32; 2],
-    fonts: [FontRef<'static>; 2],
+    fonts: Fonts,
     shapes: Vec<Shape>,
     texts: Vec<Text>,
 }
 
-/// Roboto, reduced to Latin letters; `assets/README.md` tells where it is from.
-const FONTS: [&[u8]; 2] = [
-    include_bytes!("../../../assets/Roboto-Regular.ttf"),
-    include_bytes!("../../../assets/Roboto-Bold.ttf"),
-];
-
 /// Names for a viewer of SVG files.
 const FAMILIES: &str = "Roboto, Helvetica, Arial, Liberation Sans, sans-serif";
-
-/// Half the height of small letters over the font's size, which centres text on its position: in SVG files
-/// plotters does the same.
-const MIDDLE: f64 = 0.264;
 
 /// Plotters rounds positions to whole units; a pixel has so many of them, along and down. The PNG file is the
 /// average of its units.
@@ -77,11 +43,9 @@ const UNITS: u32 = 3;
 impl Canvas {
     /// An empty one, so many pixels wide and high.
     pub fn new(size: [u32; 2]) -> Result<Self, Error> {
-        let broken = |_| Error::Usage("cannot draw: the program's own font is broken".into());
-        let [regular, bold] = FONTS.map(|bytes| FontRef::try_from_slice(bytes).map_err(broken));
         Ok(Self {
             size,
-            fonts: [regular?, bold?],
+            fonts: Fonts::new()?,
             shapes: Vec::new(),
             texts: Vec::new(),
         })
@@ -134,8 +98,7 @@ impl Canvas {
 
     /// How wide a text is.
     pub fn width(&self, words: &str, size: f64) -> f64 {
-        let glyphs = glyphs(&self.fonts[0], words, size);
-        glyphs.last().map_or(0.0, |(_, end)| *end)
+        self.fonts.width(words, size)
     }
 
     /// Writes the file: SVG or PNG by its ending.
@@ -215,7 +178,7 @@ impl Canvas {
         }
         let mut picture = imageops::thumbnail(&fine, self.size[0], self.size[1]);
         for text in &self.texts {
-            self.set(text, &mut picture);
+            self.fonts.set(text, &mut picture);
         }
         Ok(picture)
     }
@@ -245,73 +208,12 @@ impl Canvas {
         }
         Ok(())
     }
-
-    /// Sets a text into the picture.
-    fn set(&self, text: &Text, picture: &mut RgbImage) {
-        let glyphs = glyphs(&self.fonts[usize::from(text.bold)], &text.words, text.size);
-        let width = glyphs.last().map_or(0.0, |(_, end)| *end);
-        let start = match text.align {
-            Align::Left => 0.0,
-            Align::Center => width / 2.0,
-            Align::Right => width,
-        };
-        // Fractions of a pixel go into the outlines; upwards text keeps none.
-        let base = [-start, MIDDLE * text.size];
-        let (corner, base) = if text.upwards {
-            (text.at.map(f64::round), base)
-        } else {
-            ([0.0; 2], [text.at[0] + base[0], text.at[1] + base[1]])
-        };
-        let font = &self.fonts[usize::from(text.bold)];
-        for (mut glyph, _) in glyphs {
-            glyph.position += point(base[0] as f32, base[1] as f32);
-            let Some(outline) = font.outline_glyph(glyph) else {
-                continue;
-            };
-            let from = outline.px_bounds().min;
-            outline.draw(|x, y, cover| {
-                let (x, y) = (
-                    f64::from(from.x) + f64::from(x),
-                    f64::from(from.y) + f64::from(y),
-                );
-                let [x, y] = if text.upwards {
-                    [corner[0] + y, corner[1] - x]
-                } else {
-                    [x, y]
-                };
-                if x < 0.0 || y < 0.0 {
-                    return;
-                }
-                if let Some(pixel) = picture.get_pixel_mut_checked(x as u32, y as u32) {
-                    for (below, over) in pixel.0.iter_mut().zip(text.color) {
-                        let (old, new) = (f32::from(*below), f32::from(over));
-                        *below = (old + (new - old) * cover.clamp(0.0, 1.0)).round() as u8;
-                    }
-                }
-            });
-        }
-    }
 }
 
 /// A position in units.
 fn whole(at: Point) -> (i32, i32) {
     let [x, y] = at.map(|side| (side * f64::from(UNITS)).round() as i32);
     (x, y)
-}
-
-/// The glyphs of a text that starts at the origin of its baseline, each with where the next one begins.
-fn glyphs(font: &FontRef<'_>, words: &str, size: f64) -> Vec<(Glyph, f64)> {
-    // The crate counts from the lowest to the highest, sizes are those of the em square.
-    let em = font.units_per_em().unwrap_or(1.0);
-    let scaled = font.as_scaled(size as f32 * font.height_unscaled() / em);
-    let mut at = 0.0;
-    let place = |letter| {
-        let mut glyph = scaled.scaled_glyph(letter);
-        glyph.position = point(at, 0.0);
-        at += scaled.h_advance(glyph.id);
-        (glyph, f64::from(at))
-    };
-    words.chars().map(place).collect()
 }
 
 /// Whether a chart can be written to a file of this name.

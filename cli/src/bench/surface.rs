@@ -1,0 +1,216 @@
+//! Samples of the surface around a body's spheres, for bodies of capsules: by the rules that meshes are sampled by
+//! (Guerrero et al. 2008, section 4.2), in closed form.
+
+use super::body::{Body, Parts};
+use glam::{Affine3A, Quat, Vec3};
+use sh_scene::Sphere;
+use sh_scene::surface::{SurfacePoint, SurfaceSamples, directions};
+
+/// How far inside another capsule a point of the surface may lie, in metres.
+const DEPTH: f32 = 1e-4;
+
+/// A capsule of a body where it stands.
+#[derive(Clone, Copy, Debug)]
+struct Capsule {
+    from: Vec3,
+    to: Vec3,
+    radius: f32,
+}
+
+/// A body's surface, sampled once, and where it is now.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    /// In world space, in the frame that [`Surface::pose`] was called for.
+    pub now: SurfaceSamples,
+    /// How many segments the body has.
+    pub segments: usize,
+    /// In the segments' spaces: the segment of each sphere, and its points.
+    rest: Vec<(usize, Vec<SurfacePoint>)>,
+}
+
+impl Surface {
+    /// Samples a body whose segments are at `poses`; `parts` are its own.
+    pub fn new(body: &Body, parts: &Parts, poses: &[Affine3A]) -> Self {
+        let capsules: Vec<Capsule> = body
+            .segments
+            .iter()
+            .zip(poses)
+            .map(|(segment, pose)| Capsule {
+                from: pose.transform_point3(segment.from),
+                to: pose.transform_point3(segment.to),
+                radius: segment.radius,
+            })
+            .collect();
+        let placed = |(segment, sphere): &(usize, Sphere)| {
+            let center = poses[*segment].transform_point3(sphere.center.into());
+            (center, sphere.radius)
+        };
+        let spheres: Vec<(Vec3, f32)> = parts.spheres.iter().map(placed).collect();
+        let mut now = SurfaceSamples::default();
+        let mut rest = Vec::new();
+        for (sphere, (segment, _)) in parts.spheres.iter().enumerate() {
+            let pose = poses[*segment];
+            let back = pose.inverse();
+            let mut points = Vec::new();
+            for (index, direction) in directions().iter().enumerate() {
+                let towards = pose.transform_vector3(Vec3::from(*direction)).normalize();
+                if let Some((point, normal)) = seen(&capsules, &spheres, sphere, towards) {
+                    points.push(SurfacePoint {
+                        position: back.transform_point3(point).into(),
+                        direction: index as u32,
+                        normal: back.transform_vector3(normal).normalize().into(),
+                        albedo: body.albedo,
+                        ..SurfacePoint::default()
+                    });
+                }
+            }
+            now.push(points.iter().copied());
+            rest.push((*segment, points));
+        }
+        let mut surface = Self {
+            now,
+            segments: body.segments.len(),
+            rest,
+        };
+        surface.pose(poses);
+        surface
+    }
+
+    /// Moves it to where the segments are.
+    pub fn pose(&mut self, poses: &[Affine3A]) {
+        let mut now = self.now.points.iter_mut();
+        for ((segment, points), rotation) in self.rest.iter().zip(&mut self.now.rotations) {
+            let pose = &poses[*segment];
+            *rotation = Quat::from_mat3a(&pose.matrix3).normalize().to_array();
+            for (rest, now) in points.iter().zip(&mut now) {
+                now.position = pose.transform_point3(rest.position.into()).into();
+                now.normal = pose.transform_vector3(rest.normal.into()).into();
+            }
+        }
+    }
+}
+
+/// The farthest place ahead of a sphere's centre where the line leaves the body and that belongs to the sphere, and the
+/// normal there. Bodies are filled capsules around their spheres' centres, so there is none to be found behind.
+fn seen(
+    capsules: &[Capsule],
+    spheres: &[(Vec3, f32)],
+    sphere: usize,
+    towards: Vec3,
+) -> Option<(Vec3, Vec3)> {
+    let center = spheres[sphere].0;
+    let relative = |p: Vec3, (c, r): (Vec3, f32)| p.distance(c) / r;
+    let mut farthest: Option<(f32, Vec3, Vec3)> = None;
+    for (i, capsule) in capsules.iter().enumerate() {
+        let Some(t) = capsule.leaves(center, towards).filter(|t| *t > 0.0) else {
+            continue;
+        };
+        let point = center + towards * t;
+        let mut others = capsules.iter().enumerate();
+        let inside = others.any(|(k, other)| k != i && other.distance(point) < -DEPTH);
+        let own = relative(point, spheres[sphere]);
+        let theirs = spheres.iter().any(|s| relative(point, *s) < own);
+        if !inside && !theirs && farthest.is_none_or(|(most, ..)| most < t) {
+            let normal = (point - capsule.nearest(point)) / capsule.radius;
+            farthest = Some((t, point, normal));
+        }
+    }
+    farthest.map(|(_, point, normal)| (point, normal))
+}
+
+impl Capsule {
+    /// The point of the axis that is nearest.
+    fn nearest(&self, p: Vec3) -> Vec3 {
+        let axis = self.to - self.from;
+        let t = (p - self.from).dot(axis) / axis.length_squared().max(f32::MIN_POSITIVE);
+        self.from + axis * t.clamp(0.0, 1.0)
+    }
+
+    fn distance(&self, p: Vec3) -> f32 {
+        p.distance(self.nearest(p)) - self.radius
+    }
+
+    /// Where a line leaves: the last of the places where it leaves one of both balls and the cylinder between them.
+    fn leaves(&self, origin: Vec3, towards: Vec3) -> Option<f32> {
+        let ball = |center: Vec3| {
+            let away = center - origin;
+            let middle = away.dot(towards);
+            let square = self.radius * self.radius - (away - towards * middle).length_squared();
+            (square >= 0.0).then(|| middle + square.sqrt())
+        };
+        let cylinder = || {
+            let axis = self.to - self.from;
+            let length = axis.length();
+            let axis = axis.try_normalize()?;
+            let away = origin - self.from;
+            // Across and along the axis.
+            let (start, rise) = (away.dot(axis), towards.dot(axis));
+            let (offset, flat) = (away - axis * start, towards - axis * rise);
+            let square = flat.length_squared();
+            let middle = -offset.dot(flat) / square;
+            let inner =
+                (self.radius * self.radius - (offset + flat * middle).length_squared()) / square;
+            if square < 1e-12 || inner < 0.0 {
+                return None;
+            }
+            let t = middle + inner.sqrt();
+            // Beyond the ends the balls count.
+            (0.0..=length).contains(&(start + rise * t)).then_some(t)
+        };
+        let all = [ball(self.from), ball(self.to), cylinder()];
+        all.into_iter().flatten().reduce(f32::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::scenes::{Name, plan};
+    use sh_scene::surface::DIRECTIONS;
+
+    fn sampled(body: &Body, seconds: f32) -> (Surface, Vec<Affine3A>) {
+        let mut poses = Vec::new();
+        body.pose(0.0, &mut poses);
+        let mut surface = Surface::new(body, &body.parts(0), &poses);
+        poses.clear();
+        body.pose(seconds, &mut poses);
+        surface.pose(&poses);
+        (surface, poses)
+    }
+
+    #[test]
+    fn a_ball_is_seen_from_everywhere() {
+        let ball = &plan(Name::Squirrel).bodies[2];
+        let (surface, poses) = sampled(ball, 0.4);
+        assert_eq!(surface.now.points.len(), DIRECTIONS);
+        let center = poses[0].transform_point3(ball.segments[0].from);
+        for point in &surface.now.points {
+            let away = Vec3::from(point.position) - center;
+            assert!((away.length() - ball.segments[0].radius).abs() < 1e-5);
+            assert!(away.normalize().dot(point.normal.into()) > 0.9999);
+        }
+    }
+
+    #[test]
+    fn points_lie_on_the_body() {
+        for name in [Name::Squirrel, Name::Robot, Name::Packages, Name::Assembly] {
+            for body in &plan(name).bodies {
+                let (surface, poses) = sampled(body, 0.0);
+                assert_eq!(surface.now.spheres(), body.spheres);
+                let on = |p: Vec3| {
+                    body.segments.iter().zip(&poses).any(|(s, pose)| {
+                        let capsule = Capsule {
+                            from: pose.transform_point3(s.from),
+                            to: pose.transform_point3(s.to),
+                            radius: s.radius,
+                        };
+                        capsule.distance(p).abs() < 1e-4
+                    })
+                };
+                let points = &surface.now.points;
+                assert!(points.len() > 10 * body.spheres, "{name:?}");
+                assert!(points.iter().all(|p| on(p.position.into())));
+            }
+        }
+    }
+}

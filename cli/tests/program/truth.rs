@@ -1,0 +1,161 @@
+//! The path tracer as a person asks for it: pictures, comparisons, their figures.
+
+use crate::{Folder, success};
+use serde_json::Value;
+
+/// Two cubes of 8 vertices on y = 0, a red one and a white one beside it, on a grey ground under the built-in sky.
+fn scene(folder: &Folder, more: &str) -> String {
+    let cube = "
+v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1
+f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1
+";
+    folder.put("cube.obj", cube);
+    let cube = |albedo: &str, x: &str| {
+        format!(
+            "[[objects]]\nmesh = \"cube.obj\"\nspheres = 16\nalbedo = {albedo}\ntranslate = [{x}, 0, 0]\n"
+        )
+    };
+    let cubes = cube("[0.9, 0.1, 0.1]", "-1.2") + &cube("0.9", "1.2");
+    folder.put("scene.toml", cubes + more)
+}
+
+const INDIRECT: &str = "[indirect]\nmethod = \"spherical-lights\"\n";
+
+/// Mean red, green and blue of an EXR file.
+fn mean(path: &str) -> [f64; 3] {
+    let picture = image::open(path).expect("an EXR").into_rgb32f();
+    let count = f64::from(picture.width() * picture.height());
+    let mut sum = [0.0; 3];
+    for pixel in picture.pixels() {
+        for (sum, c) in sum.iter_mut().zip(pixel.0) {
+            *sum += f64::from(c) / count;
+        }
+    }
+    sum
+}
+
+#[test]
+fn the_truth_is_near_what_the_passes_render() {
+    let folder = Folder::new("reference");
+    let scene = scene(&folder, INDIRECT);
+    let render = |name: &str, more: &[&str]| {
+        let out = folder.file(name);
+        let usual = ["render", &scene, "-o", &out, "--size", "48x32"];
+        let text = success(&[&usual[..], more].concat());
+        (mean(&out), text, std::fs::read(&out).expect("a picture"))
+    };
+    let (ours, _, _) = render("ours.exr", &["--backend", "cpu", "--order", "6"]);
+    let reference = ["--reference", "64", "--reference-light", "projected"];
+    let (truth, text, bytes) = render("truth.exr", &reference);
+    assert!(
+        text.contains("16 paths a sample") && text.contains("one bounce"),
+        "{text}"
+    );
+    for c in 0..3 {
+        assert!(
+            (ours[c] / truth[c] - 1.0).abs() < 0.06,
+            "{ours:?} {truth:?}"
+        );
+    }
+    // The same once more, and darker where bodies do not reflect.
+    assert_eq!(render("again.exr", &reference).2, bytes);
+    let without = [&reference[..], &["--reference-bounces", "0"]].concat();
+    let (direct, text, _) = render("direct.exr", &without);
+    assert!(!text.contains("bounce"), "{text}");
+    assert!(direct[0] < truth[0] && direct[1] < truth[1]);
+    // A ground that is shadowed lights bodies less, and what bodies send there comes back.
+    let (ground, _, _) = render("ground.exr", &["--reference", "64", "--reflecting-ground"]);
+    assert!(
+        ground
+            .iter()
+            .zip(truth)
+            .all(|(a, b)| (a / b - 1.0).abs() < 0.2)
+    );
+}
+
+#[test]
+fn frames_are_traced_one_by_one() {
+    let folder = Folder::new("reference-frames");
+    let keys = "keys = [{ time = 0 }, { time = 1, translate = [0, 3, 0] }]\n";
+    folder.put("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let scene = folder.put(
+        "scene.toml",
+        format!("[[objects]]\nmesh = \"triangle.obj\"\nspheres = 1\n{keys}[camera]\neye = [0, 2, 9]\ntarget = [0, 1, 0]\n"),
+    );
+    let out = folder.file("f%d.png");
+    let frames = ["--frames", "0..2", "--fps", "1", "--size", "16x16"];
+    success(
+        &[
+            &["render", &scene, "-o", &out, "--reference", "4"],
+            &frames[..],
+        ]
+        .concat(),
+    );
+    let read = |name: &str| std::fs::read(folder.file(name)).expect("a picture");
+    assert_ne!(read("f0.png"), read("f1.png"));
+}
+
+#[test]
+fn a_comparison_tells_its_figures_and_draws_its_sheet() {
+    let folder = Folder::new("compare");
+    let scene = scene(&folder, INDIRECT);
+    let out = folder.file("sheet.png");
+    let usual = ["compare", &scene, "--size", "48x32", "--reference", "64"];
+    let text = success(&[&usual[..], &["--json", "-o", &out]].concat());
+    let found: Value = serde_json::from_str(&text).expect("JSON");
+    let figure = |kind: &str, name: &str| {
+        let value = found[kind][name].as_f64();
+        value.unwrap_or_else(|| panic!("no {kind}.{name} in {text}"))
+    };
+    for kind in [
+        "direct",
+        "indirect",
+        "total",
+        "direct_ground",
+        "indirect_ground",
+    ] {
+        for name in ["rms", "mean", "p99", "noise"] {
+            let value = figure(kind, name);
+            assert!((0.0..1.0).contains(&value), "{kind}.{name} is {value}");
+        }
+        assert!(figure(kind, "mean") <= figure(kind, "p99"));
+    }
+    // The cubes light each other and the ground, and ours finds most of it.
+    let share = found["indirect_share"].as_f64().expect("a share");
+    assert!((0.005..0.3).contains(&share), "{share}");
+    assert!(figure("indirect", "bias").abs() < 0.5 * share, "{text}");
+    let sheet = image::open(&out).expect("a PNG").into_rgb8();
+    assert!(sheet.width() > 4 * 48 && sheet.height() > 3 * 32);
+
+    // Nothing but the times depends on the run.
+    let again: Value =
+        serde_json::from_str(&success(&[&usual[..], &["--json"]].concat())).expect("JSON");
+    for kind in ["direct", "indirect", "total_ground"] {
+        assert_eq!(found[kind], again[kind]);
+    }
+    let table = success(&usual);
+    assert!(
+        table.contains("| indirect light, the ground reflecting |"),
+        "{table}"
+    );
+}
+
+#[test]
+fn without_indirect_light_both_have_none() {
+    let folder = Folder::new("compare-direct");
+    let scene = scene(&folder, "[ground]\nenabled = false\n");
+    let small = ["--size", "32x24", "--reference", "32", "--json"];
+    let text = success(&[&["compare", &scene], &small[..]].concat());
+    let found: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(found["indirect"]["p99"], 0.0);
+    assert_eq!(
+        (&found["bounces"], &found["indirect_ground"]),
+        (&0.into(), &Value::Null)
+    );
+    // What the map has besides what order 4 can show is an error of the light.
+    let map = [&small[..], &["--reference-light", "map"]].concat();
+    let text = success(&[&["compare", &scene], &map[..]].concat());
+    let map: Value = serde_json::from_str(&text).expect("JSON");
+    let rms = |found: &Value| found["direct"]["rms"].as_f64().expect("a figure");
+    assert!(rms(&map) > rms(&found), "{} {}", rms(&map), rms(&found));
+}

@@ -1,0 +1,141 @@
+// Light update: what every node of the tree of blockers sends on of the light that falls on the bodies' surfaces
+// (Guerrero et al. 2008, section 5). Points of a surface become receivers (`place`), which the shadow pass lights;
+// their radiance, weighted by the basis' integral over their directions' Voronoi cells, is what a sphere emits
+// (`project`, equation 10); a node above the leaves emits their mean by cross-section (`raise`). Twin of sh_cpu's
+// `light_update`.
+//
+// `place` and `project` have a workgroup a sphere, `raise` one a node.
+
+#import shared/records
+#import shared/invocation
+#import shared/light
+#import library
+
+// Only how many nodes there are.
+@group(0) @binding(0) var<uniform> lighting: Lighting;
+@group(0) @binding(1) var<storage, read> senders: array<Sender>;
+// Sphere by sphere.
+@group(0) @binding(2) var<storage, read> points: array<SurfacePoint>;
+// The integral of every basis function of order 6 over each direction's cell.
+@group(0) @binding(3) var<storage, read> cells: array<f32>;
+// What each node sends on: its coefficients, and the brightest that it is anywhere.
+@group(0) @binding(4) var<storage, read_write> emission: array<vec4f>;
+
+// Elements of `emission` a node.
+const SENT: u32 = $Cu + 1u;
+
+const DIRECTIONS: u32 = 92u;
+
+// Basis functions a direction has in `cells`.
+const HIGHEST: u32 = 36u;
+
+@group(1) @binding(0) var<storage, read_write> receivers: array<Receiver>;
+
+@compute @workgroup_size(64)
+fn place(
+    @builtin(workgroup_id) workgroup: vec3u,
+    @builtin(num_workgroups) workgroups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let sphere = workgroup.z * workgroups.y + workgroup.y;
+    if (sphere >= arrayLength(&senders)) {
+        return;
+    }
+    let first = senders[sphere].first;
+    let end = min(first + senders[sphere].count, arrayLength(&points));
+    for (var i = first + lane; i < end; i += WORKGROUP) {
+        let position = senders[sphere].world_from_object * vec4f(points[i].position, 1.0);
+        let normal = turned(points[i].normal, senders[sphere].turn);
+        receivers[i] = Receiver(position.xyz, 1u, normal, senders[sphere].object);
+    }
+}
+
+// A vector turned by a unit quaternion.
+fn turned(v: vec3f, q: vec4f) -> vec3f {
+    let across = 2.0 * cross(q.xyz, v);
+    return v + q.w * across + cross(q.xyz, across);
+}
+
+// Of each receiver: red, green, blue, 0.
+@group(1) @binding(0) var<storage, read> radiance: array<vec4f>;
+
+const CHANNELS: u32 = 3u;
+
+// Coefficients, channel by channel.
+var<workgroup> vector: array<array<f32, $C>, CHANNELS>;
+
+// What a point sends on. An albedo that is no number counts as black.
+fn sent(point: u32) -> vec3f {
+    let all = bounded(points[point].albedo, vec3f(1.0)) * radiance[point].rgb;
+    return bounded(all, all);
+}
+
+@compute @workgroup_size(64)
+fn project(
+    @builtin(workgroup_id) workgroup: vec3u,
+    @builtin(num_workgroups) workgroups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let sphere = workgroup.z * workgroups.y + workgroup.y;
+    if (sphere >= arrayLength(&senders) || senders[sphere].node >= lighting.nodes) {
+        return;
+    }
+    let first = senders[sphere].first;
+    let end = min(first + senders[sphere].count, arrayLength(&points));
+    let target_at = senders[sphere].node * SENT;
+    if (lane < $Cu) {
+        var sum = vec3f(0.0);
+        for (var i = first; i < end; i += 1u) {
+            sum += sent(i) * cells[points[i].direction % DIRECTIONS * HIGHEST + lane];
+        }
+        vector[0][lane] = sum.r;
+        vector[1][lane] = sum.g;
+        vector[2][lane] = sum.b;
+    } else if (lane == $Cu) {
+        var brightest = vec3f(0.0);
+        for (var i = first; i < end; i += 1u) {
+            brightest = max(brightest, sent(i));
+        }
+        emission[target_at + lane] = vec4f(brightest, 0.0);
+    }
+    workgroupBarrier();
+    // From the frame of the directions to the world.
+    if (lane < CHANNELS) {
+        vector[lane] = sh$N_rotate(vector[lane], senders[sphere].frame);
+    }
+    workgroupBarrier();
+    if (lane < $Cu) {
+        emission[target_at + lane] = vec4f(vector[0][lane], vector[1][lane], vector[2][lane], 0.0);
+    }
+}
+
+// Each before those below it.
+@group(1) @binding(0) var<storage, read> nodes: array<Node>;
+
+@compute @workgroup_size(64)
+fn raise(
+    @builtin(workgroup_id) workgroup: vec3u,
+    @builtin(num_workgroups) workgroups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let own = workgroup.z * workgroups.y + workgroup.y;
+    if (own >= lighting.nodes || lane >= SENT) {
+        return;
+    }
+    let whole = nodes[own];
+    if (whole.skip <= own + 1u) {
+        return;
+    }
+    var sum = vec4f(0.0);
+    var brightest = vec4f(0.0);
+    for (var at = own + 1u; at < min(whole.skip, lighting.nodes); at += 1u) {
+        if (nodes[at].skip <= at + 1u) {
+            let leaf = emission[at * SENT + lane];
+            if (whole.area > 0.0) {
+                sum += nodes[at].area / whole.area * leaf;
+            }
+            brightest = max(brightest, leaf);
+        }
+    }
+    emission[own * SENT + lane] = select(sum, brightest, lane == $Cu);
+}

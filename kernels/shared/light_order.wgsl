@@ -1,0 +1,145 @@
+// In which order light meets spheres, and which of them hide which. Twin of sh_cpu's `light_cut`, where the rule and
+// its reasons stand.
+
+#import shared/records
+#import shared/scan
+#import shared/cut
+#import shared/blocker
+
+// Spheres of a cut that workgroup memory holds.
+const ROOM: u32 = 128u;
+
+// The node of each, its centre and radius, and its power against the middle of the cluster.
+var<workgroup> names: array<u32, ROOM>;
+
+var<workgroup> balls: array<vec4f, ROOM>;
+
+var<workgroup> powers: array<f32, ROOM>;
+
+// What the light of each is multiplied with.
+var<workgroup> gains: array<vec3f, ROOM>;
+
+// Where all do not fit, half of the memory holds some that send, the other half some that hide them.
+const HALF: u32 = ROOM / 2u;
+
+// A sphere that light meets on its way.
+struct Met {
+    center: vec3f,
+    radius: f32,
+    node: u32,
+    power: f32,
+}
+
+// The least width over which an order changes, over the radius of the smaller sphere.
+const SHARPEST: f32 = 0.01;
+
+// The body of a node that stands for several.
+const NO_BODY: u32 = 0xffffffffu;
+
+const SMALLEST_DIVISOR: f32 = 1.2e-38;
+
+// The power of a point against a sphere: the square of a tangent's length.
+fn power(place: vec3f, center: vec3f, radius: f32) -> f32 {
+    let away = center - place;
+    return dot(away, away) - radius * radius;
+}
+
+// One of those in workgroup memory.
+fn met(at: u32) -> Met {
+    return Met(balls[at].xyz, balls[at].w, names[at], powers[at]);
+}
+
+fn comes_first(a: Met, b: Met) -> bool {
+    return a.power < b.power || (a.power == b.power && a.node < b.node);
+}
+
+// Whether they are spheres of one body that intersect: what one hides of the other was left out when its surface was
+// sampled.
+fn is_joint(a: Met, b: Met, apart: f32) -> bool {
+    let body = members[a.node].x;
+    return body == members[b.node].x && body != NO_BODY && apart < a.radius + b.radius;
+}
+
+// Half of the distance over which an order changes: the radius of the circle in which spheres cut each other.
+fn swap_width(a: f32, b: f32, apart: f32) -> f32 {
+    let smaller = min(a, b);
+    var circle = 0.0;
+    if (apart < a + b) {
+        if (apart <= abs(a - b)) {
+            circle = smaller;
+        } else {
+            let along = (apart * apart + a * a - b * b) / (2.0 * apart);
+            circle = sqrt(max(a * a - along * along, 0.0));
+        }
+    }
+    return max(circle, SHARPEST * smaller);
+}
+
+// How much of what `hider` covers it hides of `hidden` from a place, 0 to 1; `middle` is that of the cluster.
+fn share(hidden: Met, hider: Met, place: vec3f, middle: vec3f) -> f32 {
+    let apart = distance(hidden.center, hider.center);
+    if (is_joint(hidden, hider, apart)) {
+        return 0.0;
+    }
+    if (blocking.by_bodies != 0u) {
+        return f32(body_comes_first(hider, hidden, middle));
+    }
+    let twice = 2.0 * apart;
+    if (twice == 0.0) {
+        return f32(comes_first(hider, hidden));
+    }
+    let lead = power(place, hidden.center, hidden.radius) - power(place, hider.center, hider.radius);
+    let slope = 1.0 / max(2.0 * swap_width(hidden.radius, hider.radius, apart) * twice, SMALLEST_DIVISOR);
+    return clamp(0.5 + lead * slope, 0.0, 1.0);
+}
+
+// The order of whole bodies; within a body that of its spheres.
+fn body_comes_first(a: Met, b: Met, middle: vec3f) -> bool {
+    let own = members[a.node];
+    let other = members[b.node];
+    if (own.x == NO_BODY || other.x == NO_BODY || own.x == other.x) {
+        return comes_first(a, b);
+    }
+    let first = power(middle, nodes[own.y].center, nodes[own.y].radius);
+    let second = power(middle, nodes[other.y].center, nodes[other.y].radius);
+    return first < second || (first == second && own.x < other.x);
+}
+
+// Whether all that `near` covers is hidden of `far`, and nothing the other way, from all receivers of the cluster.
+fn is_settled(near: Met, far: Met, bounds: vec4f) -> bool {
+    let apart = distance(near.center, far.center);
+    if (is_joint(near, far, apart)) {
+        return false;
+    }
+    if (blocking.by_bodies != 0u) {
+        return body_comes_first(near, far, bounds.xyz);
+    }
+    let reach = bounds.w + swap_width(near.radius, far.radius, apart);
+    return far.power - near.power >= 2.0 * apart * reach;
+}
+
+// Lists the nodes of the cut, as many as there is room for, and tells how many there are.
+fn list_cut(bounds: vec4f, lane: u32) -> u32 {
+    var total = 0u;
+    for (var chunk = 0u; chunk < lighting.nodes; chunk += WORKGROUP) {
+        let taken = u32(in_cut(chunk + lane, bounds));
+        let place = total + sum_up_to(lane, taken) - taken;
+        if (taken != 0u && place < ROOM) {
+            names[place] = chunk + lane;
+        }
+        total += workgroupUniformLoad(&sums[WORKGROUP - 1u]);
+    }
+    return total;
+}
+
+// A sphere's place in workgroup memory.
+fn keep(at: u32, node: u32, ball: vec4f, middle: vec3f) {
+    names[at] = node;
+    balls[at] = ball;
+    powers[at] = power(middle, ball.xyz, ball.w);
+}
+
+// A sphere in workgroup memory as the receiver sees it.
+fn seen_by(receiver: Receiver, at: u32) -> Blocker {
+    return replace(balls[at].xyz - receiver.position, receiver.normal, balls[at].w);
+}

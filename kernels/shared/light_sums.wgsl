@@ -1,0 +1,196 @@
+// Visibility of lights as what a sphere takes away from what is left to be seen behind all nearer ones (Guerrero et al.
+// 2008, equation 23). Spheres in the order of their powers fall into runs; what has been summed up for a run serves all
+// that follow, and only within a run pairs are looked at. Twin of sh_cpu's `light_gather::sums`.
+
+#import shared/records
+#import shared/scan
+#import shared/cut
+#import shared/blocker
+#import shared/light_order
+#import shared/light_sent
+#import library
+
+// What each band of a sphere's log visibility is multiplied with.
+var<workgroup> ratios: array<array<f32, $A>, ROOM>;
+
+// The first sphere, in the order of powers, whose place before this one does not hold for all receivers.
+var<workgroup> unsettled: array<u32, ROOM>;
+
+// Where a run ends that begins with a sphere.
+var<workgroup> runs: array<u32, ROOM>;
+
+// Spheres of the cut that an invocation sorts.
+const SORTED: u32 = ROOM / WORKGROUP;
+
+fn ball(at: u32) -> vec4f {
+    return vec4f(nodes[at].center, nodes[at].radius);
+}
+
+// Sorts the listed nodes by power, weighs them, and finds where runs begin.
+fn order_cut(count: u32, bounds: vec4f, lane: u32) {
+    for (var k = lane; k < count; k += WORKGROUP) {
+        keep(k, names[k], ball(names[k]), bounds.xyz);
+    }
+    workgroupBarrier();
+    var own: array<u32, SORTED>;
+    var rank: array<u32, SORTED>;
+    for (var i = 0u; i < SORTED; i += 1u) {
+        let k = lane + i * WORKGROUP;
+        if (k < count) {
+            own[i] = names[k];
+            for (var other = 0u; other < count; other += 1u) {
+                rank[i] += u32(comes_first(met(other), met(k)));
+            }
+        }
+    }
+    workgroupBarrier();
+    for (var i = 0u; i < SORTED; i += 1u) {
+        if (lane + i * WORKGROUP < count) {
+            keep(rank[i], own[i], ball(own[i]), bounds.xyz);
+            ratios[rank[i]] = weighted(own[i], bounds).weights;
+            gains[rank[i]] = gain(own[i], nodes[own[i]].radius, bounds.xyz);
+        }
+    }
+    workgroupBarrier();
+    for (var k = lane; k < count; k += WORKGROUP) {
+        let far = met(k);
+        var first = 0u;
+        while (first < k && is_settled(met(first), far, bounds)) {
+            first += 1u;
+        }
+        unsettled[k] = first;
+    }
+    workgroupBarrier();
+    for (var k = lane; k < count; k += WORKGROUP) {
+        runs[k] = run_end(k, count);
+    }
+    workgroupBarrier();
+}
+
+// Where the run ends that begins at `start`: before the first sphere that, with all that follow, comes after the whole
+// of it for all receivers.
+fn run_end(start: u32, count: u32) -> u32 {
+    var end = start + 1u;
+    for (var k = start + 1u; k < count; k += 1u) {
+        if (unsettled[k] < end) {
+            end = k + 1u;
+        }
+    }
+    return end;
+}
+
+const WHOLE: f32 = 3.5449077018110318;
+
+// All spheres in workgroup memory, one run after another.
+fn sums_in_memory(receiver: Receiver, count: u32, middle: vec3f) -> vec3f {
+    let lobe = sh$N_cosine(receiver.normal);
+    var sent = vec3f(0.0);
+    // The sum over all runs that are done, and what is left to be seen behind it, where somebody needed that already.
+    var nearer = array<f32, $C>();
+    var left = lobe[0] * WHOLE;
+    var known = true;
+    var start = 0u;
+    while (start < count) {
+        let end = runs[start];
+        let alone = end == start + 1u;
+        var together = nearer;
+        for (var i = start; i < end; i += 1u) {
+            let seen = seen_by(receiver, i);
+            if (seen.sine <= 0.0) {
+                continue;
+            }
+            together = with_sphere(together, seen, ratios[i], 1.0);
+            if (!shines(names[i])) {
+                known = false;
+                continue;
+            }
+            var before = nearer;
+            if (!alone) {
+                for (var j = start; j < end; j += 1u) {
+                    if (j != i) {
+                        let hides = share(met(i), met(j), receiver.position, middle);
+                        let other = seen_by(receiver, j);
+                        before = with_sphere(before, other, ratios[j], hides);
+                    }
+                }
+            }
+            if (!alone || !known) {
+                left = visible(before, lobe);
+            }
+            let behind = visible(with_sphere(before, seen, ratios[i], 1.0), lobe);
+            sent += max(left - behind, 0.0) * gains[i] * mean_sent(names[i], seen);
+            left = behind;
+            known = alone;
+        }
+        nearer = together;
+        start = end;
+    }
+    return sent;
+}
+
+// Every sphere with all others, a chunk of the tree at a time.
+fn sums_of_all(receiver: Receiver, bounds: vec4f, lane: u32) -> vec3f {
+    let covered = receiver.covered != 0u;
+    let lobe = sh$N_cosine(receiver.normal);
+    var sent = vec3f(0.0);
+    for (var chunk = 0u; chunk < lighting.nodes; chunk += WORKGROUP) {
+        let senders = take_spheres(chunk, 0u, bounds, lane);
+        for (var i = 0u; i < senders; i += 1u) {
+            let node = workgroupUniformLoad(&names[i]);
+            if (!shines(node)) {
+                continue;
+            }
+            let seen = seen_by(receiver, i);
+            let counts = covered && seen.sine > 0.0;
+            var before = array<f32, $C>();
+            for (var others = 0u; others < lighting.nodes; others += WORKGROUP) {
+                let count = take_spheres(others, HALF, bounds, lane);
+                for (var j = HALF; j < HALF + count; j += 1u) {
+                    if (counts && names[j] != node) {
+                        let hides = share(met(i), met(j), receiver.position, bounds.xyz);
+                        let other = seen_by(receiver, j);
+                        before = with_sphere(before, other, ratios[j], hides);
+                    }
+                }
+            }
+            if (counts) {
+                let left = visible(before, lobe);
+                let behind = visible(with_sphere(before, seen, ratios[i], 1.0), lobe);
+                sent += max(left - behind, 0.0) * gains[i] * mean_sent(node, seen);
+            }
+        }
+    }
+    return sent;
+}
+
+// Puts those of a chunk of nodes that are in the cut into workgroup memory, from `at` on, and tells how many there are.
+fn take_spheres(chunk: u32, at: u32, bounds: vec4f, lane: u32) -> u32 {
+    let taken = u32(in_cut(chunk + lane, bounds));
+    // Waits for those who read what was there before.
+    let place = at + sum_up_to(lane, taken) - taken;
+    if (taken != 0u) {
+        keep(place, chunk + lane, ball(chunk + lane), bounds.xyz);
+        ratios[place] = weighted(chunk + lane, bounds).weights;
+        if (at == 0u) {
+            gains[place] = gain(chunk + lane, balls[place].w, bounds.xyz);
+        }
+    }
+    return workgroupUniformLoad(&sums[WORKGROUP - 1u]);
+}
+
+// A sum of log visibilities, and `share` of that of one more sphere.
+fn with_sphere(sum: array<f32, $C>, seen: Blocker, weights: array<f32, $N>, share: f32) -> array<f32, $C> {
+    if (seen.sine <= 0.0 || share <= 0.0) {
+        return sum;
+    }
+    var counted = weights;
+    for (var l = 0u; l < $Nu; l += 1u) {
+        counted[l] *= share;
+    }
+    return sh$N_accumulate_blocker(sum, seen.sine, seen.cosine, seen.direction, counted);
+}
+
+// exp(f) . H: what a surface sees of a white sky.
+fn visible(sum: array<f32, $C>, lobe: array<f32, $C>) -> f32 {
+    return sh$N_dot(sh$N_exp_saturating(sh$N_accumulated_log(sum)), lobe);
+}

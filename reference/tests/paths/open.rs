@@ -1,0 +1,190 @@
+//! Light without bodies.
+
+use super::{DOWN, UP, assert_near, bounces, dark, even, ground, lamp, projected, scene, trace};
+use glam::Vec3;
+use sh_reference::cap;
+use sh_reference::paths::Options;
+use sh_reference::zonal::{cosine, rotated};
+use sh_scene::{AreaShape, Sky};
+
+const TILTED: [f64; 3] = [0.6, 0.64, -0.48];
+
+/// An even sky over nothing gives its radiance, whichever way a receiver looks.
+#[test]
+fn an_even_sky_over_nothing_is_one() {
+    for normal in [UP, DOWN, TILTED] {
+        for options in [bounces(0), bounces(3), projected()] {
+            let seen = trace(&even(), options, [3.0, 1.0, -2.0], normal);
+            // Lights are given in single precision.
+            assert_near(seen.direct, seen.direct_error, [1.0; 3], 1e-7, 2e-3);
+            assert_eq!(seen.indirect, [0.0; 3]);
+        }
+    }
+}
+
+/// A sky with a sun: the irradiance of its upper half, which the map sums up texel by texel.
+#[test]
+fn a_sun_is_found() {
+    let mut sky = scene(Sky::default().map(128, 64));
+    sky.ground = ground(0.5);
+    let up = sky.environment.upper_irradiance();
+    let seen = trace(&sky, bounces(0), [0.0; 3], UP);
+    assert_near(seen.direct, seen.direct_error, up, 0.0, 3e-3);
+    // From below comes what the open ground shows.
+    let below = trace(&sky, bounces(0), [0.0, 1.0, 0.0], DOWN);
+    let expected = up.map(|c| 0.5 * c);
+    assert_near(below.direct, [1.0; 3], expected, 0.0, 1e-6);
+}
+
+/// Maps whose horizon runs through a row, or that are black, or of one texel.
+#[test]
+fn odd_maps_are_sampled_evenly() {
+    for height in [1, 3, 5] {
+        let mut sky = scene(sh_scene::EnvironmentMap {
+            width: 3,
+            height,
+            pixels: (0..3 * height)
+                .map(|i| [(i % 4) as f32, 1.0, 0.0])
+                .collect(),
+        });
+        sky.ground = ground(0.0);
+        let seen = trace(&sky, bounces(0), [0.0; 3], UP);
+        let up = sky.environment.upper_irradiance();
+        assert_near(seen.direct, seen.direct_error, up, 0.0, 5e-3);
+    }
+    let none = trace(&dark(), bounces(2), [0.0; 3], UP);
+    assert_eq!(none.total(), [0.0; 3]);
+}
+
+/// A disc of angular radius a, at an angle b from the normal and wholly above the surface: L sin² a cos b.
+#[test]
+fn a_disc_in_the_sky() {
+    for (angle, tilt) in [(0.01_f32, 0.0_f32), (0.2, 0.7), (0.5, 1.0), (0.1, 1.4)] {
+        let mut sky = dark();
+        let direction = Vec3::new(tilt.sin(), tilt.cos(), 0.0) * 3.0;
+        sky.lights = vec![lamp(
+            AreaShape::Distant { direction, angle },
+            [8.0, 4.0, 1.0],
+        )];
+        let (angle, tilt) = (f64::from(angle), f64::from(tilt));
+        let share = angle.sin().powi(2) * tilt.cos();
+        let expected = [8.0 * share, 4.0 * share, share];
+        let seen = trace(&sky, bounces(0), [0.0; 3], UP);
+        assert_near(seen.direct, seen.direct_error, expected, 1e-6, 1e-3 * share);
+    }
+    // Half a sky, seen from its middle: everything above.
+    let mut sky = dark();
+    let (direction, angle) = (Vec3::Y, std::f32::consts::FRAC_PI_2);
+    sky.lights = vec![lamp(AreaShape::Distant { direction, angle }, [1.0; 3])];
+    let seen = trace(&sky, bounces(0), [0.0; 3], UP);
+    assert_near(seen.direct, seen.direct_error, [1.0; 3], 1e-6, 1e-3);
+}
+
+/// A ball of radius r at height h over a plane, at a distance d: L (r/d)² h/d. Inside a ball: L.
+#[test]
+fn a_ball_light_over_a_plane() {
+    for (aside, height, radius) in [
+        (0.0_f32, 2.0_f32, 0.5_f32),
+        (3.0, 1.0, 0.9),
+        (0.4, 0.5, 0.01),
+    ] {
+        let mut room = dark();
+        let center = Vec3::new(aside, height, 0.0);
+        room.lights = vec![lamp(AreaShape::Local { center, radius }, [2.0; 3])];
+        let distance = f64::from(aside).hypot(f64::from(height));
+        let share = (f64::from(radius) / distance).powi(2) * f64::from(height) / distance;
+        let seen = trace(&room, bounces(0), [0.0; 3], UP);
+        // Where rays start is 1e-8 m above the plane.
+        assert_near(
+            seen.direct,
+            seen.direct_error,
+            [2.0 * share; 3],
+            1e-6,
+            1e-3 * share,
+        );
+    }
+    let mut inside = dark();
+    let shape = AreaShape::Local {
+        center: Vec3::new(0.1, 0.2, 0.0),
+        radius: 1.0,
+    };
+    inside.lights = vec![lamp(shape, [2.0; 3])];
+    let seen = trace(&inside, bounces(0), [0.0; 3], UP);
+    assert_near(seen.direct, seen.direct_error, [2.0; 3], 0.0, 4e-3);
+}
+
+/// The SH light gives L·H(N), not below 0, and every lamp's lobe its own.
+#[test]
+fn projected_light_is_what_the_passes_have() {
+    let mut sky = scene(Sky::default().map(64, 32));
+    sky.ground = ground(0.3);
+    sky.lights = vec![
+        lamp(
+            AreaShape::Distant {
+                direction: Vec3::new(1.0, 2.0, 0.5),
+                angle: 0.1,
+            },
+            [20.0, 10.0, 5.0],
+        ),
+        lamp(
+            AreaShape::Local {
+                center: Vec3::new(-1.0, 2.0, 0.0),
+                radius: 0.4,
+            },
+            [3.0, 6.0, 9.0],
+        ),
+    ];
+    let light = sky.light().expect("a light");
+    let order = light.order;
+    let point = [0.0, 0.5, 0.0];
+    for normal in [UP, TILTED, DOWN] {
+        let lobe = cosine(order, normal);
+        let against = |f: &[f64]| f.iter().zip(&lobe).map(|(a, b)| a * b).sum::<f64>();
+        let mut expected = [0.0; 3];
+        for c in 0..3 {
+            let channel: Vec<f64> = light.coefficients.iter().map(|k| f64::from(k[c])).collect();
+            expected[c] = against(&channel);
+            for emitter in &light.emitters {
+                let center = emitter.center.map(f64::from);
+                let towards: [f64; 3] =
+                    std::array::from_fn(|k| center[k] - f64::from(emitter.local) * point[k]);
+                let far = towards.iter().map(|t| t * t).sum::<f64>().sqrt();
+                let bands = cap::blocked(order, (f64::from(emitter.radius) / far).asin());
+                let bands = bands
+                    .iter()
+                    .zip(emitter.gains)
+                    .map(|(z, g)| z * f64::from(g));
+                let vector = rotated(&bands.collect::<Vec<_>>(), towards.map(|t| t / far));
+                expected[c] += f64::from(emitter.radiance[c]) * against(&vector);
+            }
+        }
+        let expected = expected.map(|c| c.max(0.0));
+        let seen = trace(&sky, projected(), point, normal);
+        assert_near(seen.direct, seen.direct_error, expected, 1e-6, 1e-2);
+    }
+}
+
+/// The ground hides lamps and suns below it.
+#[test]
+fn nothing_shines_through_the_ground() {
+    let mut sky = dark();
+    sky.ground = ground(0.5);
+    let (direction, angle) = (Vec3::new(0.3, -1.0, 0.0), 0.1);
+    let (center, radius) = (Vec3::new(0.0, -2.0, 0.0), 1.0);
+    sky.lights = vec![
+        lamp(AreaShape::Distant { direction, angle }, [50.0; 3]),
+        lamp(AreaShape::Local { center, radius }, [50.0; 3]),
+    ];
+    for ground_reflects in [false, true] {
+        let options = Options {
+            ground_reflects,
+            ..bounces(2)
+        };
+        assert_eq!(
+            trace(&sky, options, [0.0, 1.0, 0.0], DOWN).total(),
+            [0.0; 3]
+        );
+    }
+    sky.ground = None;
+    assert!(trace(&sky, bounces(0), [0.0, 1.0, 0.0], DOWN).direct[0] > 1.0);
+}

@@ -1,0 +1,215 @@
+//! The light gather pass: light that spheres send on, at every receiver (Guerrero et al. 2008, section 6).
+
+use crate::lighting::{buffer, room};
+use crate::pipeline::{Kernel, buffer_entry, shader};
+use crate::records::BlockingRule;
+use crate::shadow::{bind_clusters, tiles};
+use crate::{Bound, ClusterBinding, Error, ShadowPass};
+use sh_kernels::Pass;
+use sh_scene::{Blocking, Forest, Tiles};
+use wgpu::{
+    BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferBindingType, BufferUsages,
+    CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
+};
+
+/// The body of a node that stands for several.
+const NO_BODY: u32 = u32::MAX;
+
+/// Light that spheres send on, shadowed by all others, on the host's device, queue and encoder.
+///
+/// It looks at the tree of blockers, and takes its limits, as they were prepared for a [`ShadowPass`]. What the nodes
+/// send on is written by a [`LightUpdatePass`](crate::LightUpdatePass), or by the host ([`emission`](Self::emission)).
+///
+/// ```no_run
+/// # use sh_gpu::{Error, LightGatherPass, ShadowPass};
+/// # use sh_scene::{Blocking, Forest, Scene};
+/// # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, receivers: &wgpu::Buffer, radiance: &wgpu::Buffer,
+/// #     shadow: &ShadowPass, scene: &Scene, forest: &Forest) -> Result<(), Error> {
+/// let gather = LightGatherPass::new(device, shadow, Blocking::Discs)?;
+/// let bound = gather.bind(device, receivers.as_entire_buffer_binding(), radiance.as_entire_buffer_binding())?;
+/// // every frame, after `shadow.prepare`
+/// let spheres = scene.objects.iter().map(|object| object.spheres.len());
+/// gather.prepare(queue, forest, spheres)?;
+/// let mut encoder = device.create_command_encoder(&Default::default());
+/// gather.record(&mut encoder, &bound, None);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug)]
+pub struct LightGatherPass {
+    kernel: Kernel,
+    group: BindGroup,
+    rule: Buffer,
+    members: Buffer,
+    emission: Buffer,
+    max_nodes: u32,
+    blocking: Blocking,
+}
+
+impl LightGatherPass {
+    /// Makes the pipeline, and sets room aside for what the nodes of `shadow`'s tree of blockers send on:
+    /// 16 (n² + 1) + 8 bytes a node at order n. [`Blocking::Sphere`] gives what [`Blocking::Runs`] does, in the same
+    /// time.
+    pub fn new(device: &Device, shadow: &ShadowPass, blocking: Blocking) -> Result<Self, Error> {
+        let order = shadow.order();
+        let module = shader(device, Pass::LightGather, order)?;
+        let max_nodes = shadow.max_blockers().saturating_mul(2);
+        let sent = 16 * (order * order + 1);
+        let emission = room(device, "room for what spheres send on", max_nodes, sent)?;
+        let members = room(device, "room for members of bodies", max_nodes, 8)?;
+        let rule = size_of::<BlockingRule>() as u64;
+        let storage = BufferUsages::STORAGE;
+        let open = storage | BufferUsages::COPY_SRC;
+        let emission = buffer(device, "gaunt emission", emission, open);
+        let members = buffer(device, "gaunt members", members, storage);
+        let rule = buffer(device, "gaunt blocking", rule, BufferUsages::UNIFORM);
+        let entry = |binding, ty| buffer_entry(binding, ShaderStages::COMPUTE, ty, false);
+        let uniform = BufferBindingType::Uniform;
+        let read = BufferBindingType::Storage { read_only: true };
+        let written = BufferBindingType::Storage { read_only: false };
+        let own = [uniform, read, uniform, read, read];
+        let own: Vec<_> = (0..).zip(own).map(|(at, ty)| entry(at, ty)).collect();
+        let host = [entry(0, read), entry(1, read), entry(2, written)];
+        let name = match blocking {
+            Blocking::Discs => "gather_discs",
+            Blocking::Runs | Blocking::Sphere | Blocking::Object => "gather_sums",
+        };
+        let kernel = Kernel::new(device, &module, name, [&own, &host]);
+        let [lighting, _] = shadow.lit.entries(0);
+        let bound = [&shadow.nodes, &rule, &members, &emission];
+        let bound = (1..).zip(bound).map(|(binding, buffer)| BindGroupEntry {
+            binding,
+            resource: buffer.as_entire_binding(),
+        });
+        let entries: Vec<_> = std::iter::once(lighting).chain(bound).collect();
+        let group = kernel.own(device, &entries);
+        Ok(Self {
+            kernel,
+            group,
+            rule,
+            members,
+            emission,
+            max_nodes,
+            blocking,
+        })
+    }
+
+    /// Binds receivers ([`sh_scene::Receiver`], 32 bytes each, read) and radiance (red, green, blue, 0 as `vec4f`, 16
+    /// bytes each, added to), as [`ShadowPass::bind`] does.
+    pub fn bind(
+        &self,
+        device: &Device,
+        receivers: BufferBinding<'_>,
+        radiance: BufferBinding<'_>,
+    ) -> Result<Bound, Error> {
+        let runs = tiles(&self.kernel, device, &receivers)?;
+        let clusters = ClusterBinding {
+            clusters: runs.as_entire_buffer_binding(),
+            largest: Tiles::AREA as u32,
+        };
+        self.bind_clusters(device, receivers, clusters, radiance)
+    }
+
+    /// As [`bind`](Self::bind), with clusters of the host's.
+    pub fn bind_clusters(
+        &self,
+        device: &Device,
+        receivers: BufferBinding<'_>,
+        clusters: ClusterBinding<'_>,
+        radiance: BufferBinding<'_>,
+    ) -> Result<Bound, Error> {
+        bind_clusters(&self.kernel, device, receivers, clusters, radiance)
+    }
+
+    /// Uploads which node belongs to which body, for what is submitted next. `blockers` is the
+    /// tree that the shadow pass was prepared with, `spheres` says how many of its leaves each body has.
+    pub fn prepare(
+        &self,
+        queue: &Queue,
+        blockers: &Forest,
+        spheres: impl IntoIterator<Item = usize>,
+    ) -> Result<(), Error> {
+        let capacity = self.max_nodes / 2;
+        let (count, nodes) = (blockers.spheres(), blockers.nodes().len());
+        if nodes > self.max_nodes as usize || count > capacity as usize {
+            return Err(Error::Blockers { count, capacity });
+        }
+        let members = members(blockers, spheres)?;
+        let rule = BlockingRule {
+            by_bodies: u32::from(self.blocking == Blocking::Object),
+        };
+        queue.write_buffer(&self.rule, 0, bytemuck::bytes_of(&rule));
+        if !members.is_empty() {
+            queue.write_buffer(&self.members, 0, bytemuck::cast_slice(&members));
+        }
+        Ok(())
+    }
+
+    /// What every node sends on: n² + 1 `vec4f` a node at order n, the SH coefficients in world space of radiance as a
+    /// function of the direction from its centre (red, green, blue, 0), and the brightest radiance of any part of it.
+    /// That of a node above the leaves is their mean by cross-section. Usages `STORAGE`, `COPY_SRC` and `COPY_DST`.
+    pub fn emission(&self) -> &Buffer {
+        &self.emission
+    }
+
+    /// The most nodes that there may be.
+    pub(crate) fn max_nodes(&self) -> u32 {
+        self.max_nodes
+    }
+
+    /// Records one compute pass that adds, to the radiance of each receiver of a cluster, what albedo 1 would reflect
+    /// of the light that spheres send. What is added lies within 0 and the brightest radiance that the root sends on;
+    /// receivers that are not covered are left alone.
+    pub fn record(
+        &self,
+        encoder: &mut CommandEncoder,
+        bound: &Bound,
+        timestamps: Option<ComputePassTimestampWrites<'_>>,
+    ) {
+        self.kernel
+            .record(encoder, (&self.group, &[]), bound, timestamps);
+    }
+}
+
+/// The body of each node, and the node that stands for all of that body.
+fn members(
+    forest: &Forest,
+    spheres: impl IntoIterator<Item = usize>,
+) -> Result<Vec<[u32; 2]>, Error> {
+    let mut ends = Vec::new();
+    let mut count = 0;
+    for spheres in spheres {
+        count += spheres;
+        ends.push(count);
+    }
+    let expected = forest.spheres();
+    if count != expected {
+        return Err(Error::Spheres { count, expected });
+    }
+    let nodes = forest.nodes();
+    let mut roots = vec![0; ends.len()];
+    let mut members = vec![[NO_BODY, 0]; nodes.len()];
+    for (at, node) in nodes.iter().enumerate().rev() {
+        let body = if node.is_leaf(at) {
+            ends.partition_point(|&end| end <= node.sphere as usize) as u32
+        } else {
+            // All children's, if they agree.
+            let mut child = at + 1;
+            let first = members[child][0];
+            let mut one = true;
+            while child < node.skip as usize {
+                one &= members[child][0] == first;
+                child = nodes[child].skip as usize;
+            }
+            if one { first } else { NO_BODY }
+        };
+        members[at][0] = body;
+        if let Some(root) = roots.get_mut(body as usize) {
+            *root = at as u32;
+        }
+    }
+    for [body, root] in &mut members {
+        *root = roots.get(*body as usize).copied().unwrap_or_default();
+    }
+    Ok(members)
+}
