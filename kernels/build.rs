@@ -6,14 +6,17 @@ mod link;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-const PASSES: [&str; 7] = [
+const PASSES: [&str; 10] = [
     "light_update",
     "gbuffer",
     "irradiance",
     "shadow",
+    "shadowed_light",
     "light_gather",
     "upsample",
     "resolve",
+    "vertices",
+    "screen",
 ];
 
 const ORDERS: std::ops::RangeInclusive<usize> = 2..=6;
@@ -65,7 +68,7 @@ fn main() {
     for order in ORDERS {
         for pass in PASSES {
             // Only the shadow pass accumulates.
-            let last = if pass == "shadow" {
+            let last = if pass.starts_with("shadow") {
                 *ORDERS.end()
             } else {
                 order
@@ -85,6 +88,10 @@ fn main() {
         );
         let text = head + &link("shared/exponential", order, order);
         add("library", order, order, text);
+        if env::var_os("CARGO_FEATURE_EXPORT").is_some() {
+            let text = link("shared/library", order, order);
+            add("export", order, order, text);
+        }
     }
     write(
         &out.join("sources.rs"),

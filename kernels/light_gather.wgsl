@@ -23,11 +23,10 @@
 @group(0) @binding(0) var<uniform> lighting: Lighting;
 // Each before those below it.
 @group(0) @binding(1) var<storage, read> nodes: array<Node>;
-@group(0) @binding(2) var<uniform> blocking: BlockingRule;
 // The body of each node, and the node that stands for all of that body.
-@group(0) @binding(3) var<storage, read> members: array<vec2u>;
+@group(0) @binding(2) var<storage, read> members: array<vec2u>;
 // What each node sends on: its coefficients, and the brightest that it is anywhere.
-@group(0) @binding(4) var<storage, read> emission: array<vec4f>;
+@group(0) @binding(3) var<storage, read> emission: array<vec4f>;
 @group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
 // First receiver and how many.
 @group(1) @binding(1) var<storage, read> clusters: array<vec2u>;
@@ -53,7 +52,7 @@ fn gather_discs(
     if (count <= ROOM) {
         find_hiders(count, bounds, lane);
         if (receiver.covered != 0u) {
-            sent = discs_in_memory(receiver, count, bounds.xyz);
+            sent = discs_in_memory(receiver, count);
         }
     } else {
         sent = discs_of_all(receiver, bounds, lane);

@@ -18,7 +18,13 @@
 @group(0) @binding(2) var<storage, read> points: array<SurfacePoint>;
 // The integral of every basis function of order 6 over each direction's cell.
 @group(0) @binding(3) var<storage, read> cells: array<f32>;
-// What each node sends on: its coefficients, and the brightest that it is anywhere.
+// For each direction of each sphere which of its points stands for it, four to a word from the lowest byte on.
+@group(0) @binding(5) var<storage, read> stands: array<u32>;
+// How much of each sphere its body's other spheres leave to be seen: coefficients of order 6, in the frame of its
+// directions.
+@group(0) @binding(6) var<storage, read> exposed: array<f32>;
+// What each node sends on: its coefficients, with those of how much of it can be seen, and the brightest that it is
+// anywhere.
 @group(0) @binding(4) var<storage, read_write> emission: array<vec4f>;
 
 // Elements of `emission` a node.
@@ -59,15 +65,24 @@ fn turned(v: vec3f, q: vec4f) -> vec3f {
 // Of each receiver: red, green, blue, 0.
 @group(1) @binding(0) var<storage, read> radiance: array<vec4f>;
 
-const CHANNELS: u32 = 3u;
+// And what can be seen.
+const CHANNELS: u32 = 4u;
 
 // Coefficients, channel by channel.
 var<workgroup> vector: array<array<f32, $C>, CHANNELS>;
 
-// What a point sends on. An albedo that is no number counts as black.
+// What a point sends on. Its albedo is already what its cell reflects.
 fn sent(point: u32) -> vec3f {
-    let all = bounded(points[point].albedo, vec3f(1.0)) * radiance[point].rgb;
+    let all = points[point].albedo * radiance[point].rgb;
     return bounded(all, all);
+}
+
+const NONE: u32 = 255u;
+
+// Which of a sphere's points stands for a direction, or NONE.
+fn standing(sphere: u32, direction: u32) -> u32 {
+    let word = stands[(sphere * DIRECTIONS + direction) / 4u];
+    return (word >> (direction % 4u * 8u)) & 255u;
 }
 
 @compute @workgroup_size(64)
@@ -85,12 +100,16 @@ fn project(
     let target_at = senders[sphere].node * SENT;
     if (lane < $Cu) {
         var sum = vec3f(0.0);
-        for (var i = first; i < end; i += 1u) {
-            sum += sent(i) * cells[points[i].direction % DIRECTIONS * HIGHEST + lane];
+        for (var j = 0u; j < DIRECTIONS; j += 1u) {
+            let point = standing(sphere, j);
+            if (point != NONE && first + point < end) {
+                sum += sent(first + point) * cells[j * HIGHEST + lane];
+            }
         }
         vector[0][lane] = sum.r;
         vector[1][lane] = sum.g;
         vector[2][lane] = sum.b;
+        vector[3][lane] = exposed[sphere * HIGHEST + lane];
     } else if (lane == $Cu) {
         var brightest = vec3f(0.0);
         for (var i = first; i < end; i += 1u) {
@@ -105,9 +124,11 @@ fn project(
     }
     workgroupBarrier();
     if (lane < $Cu) {
-        emission[target_at + lane] = vec4f(vector[0][lane], vector[1][lane], vector[2][lane], 0.0);
+        emission[target_at + lane] = vec4f(vector[0][lane], vector[1][lane], vector[2][lane], vector[3][lane]);
     }
 }
+
+const ROOT_FOUR_PI: f32 = 3.5449077018110318;
 
 // Each before those below it.
 @group(1) @binding(0) var<storage, read> nodes: array<Node>;
@@ -132,7 +153,7 @@ fn raise(
         if (nodes[at].skip <= at + 1u) {
             let leaf = emission[at * SENT + lane];
             if (whole.area > 0.0) {
-                sum += nodes[at].area / whole.area * leaf;
+                sum += nodes[at].area / whole.area * emission[at * SENT].a / ROOT_FOUR_PI * leaf;
             }
             brightest = max(brightest, leaf);
         }

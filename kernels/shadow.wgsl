@@ -10,8 +10,7 @@
 #import shared/invocation
 #import shared/scan
 #import shared/bounds
-#import shared/cut
-#import shared/blocker
+#import shared/visibility
 #import shared/light
 #import shared/emitted
 #import library
@@ -25,14 +24,6 @@
 @group(1) @binding(1) var<storage, read> clusters: array<vec2u>;
 // Radiance reflected by albedo 1: red, green, blue, 0.
 @group(1) @binding(2) var<storage, read_write> radiance: array<vec4f>;
-
-// Nodes that an invocation looks at between two barriers.
-const EACH: u32 = 4u;
-
-const CHUNK: u32 = 256u;
-
-// Those of a chunk of nodes that are in the cut.
-var<workgroup> cut: array<Weighted, CHUNK>;
 
 @compute @workgroup_size(64)
 fn shadow(
@@ -64,46 +55,14 @@ fn shadow(
         }
         return;
     }
-    // Where only leaves count, nobody asks where the receivers are.
-    var bounds = vec4f(0.0);
-    if (lighting.sin_max > 0.0) {
-        bounds = cluster_bounds(first, count, lane);
-    }
-    var sum = array<f32, $B>();
-    for (var chunk = 0u; chunk < lighting.nodes; chunk += CHUNK) {
-        let own = chunk + lane * EACH;
-        var taken = 0u;
-        for (var i = 0u; i < EACH; i += 1u) {
-            taken |= u32(in_cut(own + i, bounds)) << i;
-        }
-        var place = sum_up_to(lane, countOneBits(taken)) - countOneBits(taken);
-        let found = workgroupUniformLoad(&sums[WORKGROUP - 1u]);
-        for (var i = 0u; i < EACH; i += 1u) {
-            if ((taken >> i & 1u) != 0u) {
-                cut[place] = weighted(own + i, bounds);
-                place += 1u;
-            }
-        }
-        workgroupBarrier();
-        for (var i = 0u; i < found; i += 1u) {
-            let blocker = replace(cut[i].center - receiver.position, receiver.normal, cut[i].radius);
-            if (covered && blocker.sine > 0.0) {
-                sum = sh$A_accumulate_blocker(
-                    sum, blocker.sine, blocker.cosine, blocker.direction, cut[i].weights);
-            }
-        }
-        workgroupBarrier();
-    }
+    let bounds = cluster_bounds(first, count, lane);
+    let sum = log_visibility(receiver, bounds, lane);
     if (!inside) {
         return;
     }
     var result = vec3f(0.0);
     if (covered) {
-        let accumulated = sh$A_exp_saturating(sh$A_accumulated_log(sum));
-        var visibility = array<f32, $C>();
-        for (var i = 0u; i < $Cu; i += 1u) {
-            visibility[i] = accumulated[i];
-        }
+        let visibility = visibility_of(sum);
         let transfer = sh$N_product_cosine(visibility, receiver.normal);
         let lobe = sh$N_cosine(receiver.normal);
         result = bounded(reflected(transfer), reflected(lobe)) + emitted(transfer, lobe, receiver.position);

@@ -54,11 +54,14 @@ fn shares(
 // many there are.
 @group(1) @binding(4) var<storage, read_write> anew: array<Receiver>;
 @group(1) @binding(5) var<storage, read_write> clusters: array<vec2u>;
-// Radiance that spheres send, at half resolution. Shorter where they send none.
+// Radiance that spheres send, at half resolution.
 @group(1) @binding(6) var<storage, read> half_sent: array<vec4f>;
 
 // Samples of a tile that an invocation has.
 const SAMPLES: u32 = 4u;
+
+// Whether spheres send light on: without them `half_sent` is not read.
+override SENT: bool = true;
 
 // Cells of the grid of samples to one at half resolution.
 const STEPS: f32 = 4.0;
@@ -127,7 +130,7 @@ fn interpolated(sample: Receiver, cell: vec2u, open: vec3f) -> Around {
         let weight = near.x * near.y * alike(sample, half_receivers[index], reach);
         total += weight;
         shares = with_corner(shares, weight, half_shares[index].rgb);
-        if (index < arrayLength(&half_sent)) {
+        if (SENT) {
             sent = with_corner(sent, weight, half_sent[index].rgb);
         }
     }

@@ -18,7 +18,12 @@ fn main() -> std::io::Result<()> {
                 })
                 .collect();
             let name = format!("sh{order}_{}", routine.name);
-            let call = format!("generated::{name}({})", arguments.join(", "));
+            let call = format!(
+                "<[L; {}] as Routines<L>>::{}({})",
+                order * order,
+                routine.name,
+                arguments.join(", ")
+            );
             let result = match routine.result {
                 Shape::Scalar => format!("vec![{call}]"),
                 _ => format!("{call}.to_vec()"),

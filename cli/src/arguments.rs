@@ -1,10 +1,10 @@
 //! Arguments of the commands that render: what they are and what they ask for.
 
 use clap::{Args, ValueEnum};
-use gaunt::compare;
 use gaunt::render::{self, Backend, Frames, Overrides, Reference, frame_numbers, frame_rate};
 use gaunt::truth::Source;
 use gaunt::validate;
+use gaunt::{compare, export, plan};
 use sh_bake::Cache;
 use std::path::PathBuf;
 
@@ -59,6 +59,47 @@ pub struct Render {
     json: Option<PathBuf>,
 }
 
+/// Arguments of `gaunt plan`.
+#[derive(Args)]
+pub struct Plan {
+    /// A scene in TOML, or a mesh file; without one, the built-in scene
+    scene: Option<PathBuf>,
+    /// What computes; auto takes a GPU if there is one, and the CPU otherwise
+    #[arg(long, value_enum, default_value_t = Backend::Auto)]
+    backend: Backend,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
+    size: [u32; 2],
+    #[command(flatten)]
+    changes: Changes,
+    /// Whether shadows are computed at half the picture's resolution, instead of what the scene or the quality says
+    #[arg(long, value_enum)]
+    half_resolution: Option<Switch>,
+    /// Print a table of what the scene costs as effects are switched on one by one, instead of its plan
+    #[arg(long)]
+    effects: bool,
+    /// Print JSON instead of tables
+    #[arg(long)]
+    json: bool,
+}
+
+impl From<Plan> for plan::Options {
+    fn from(args: Plan) -> Self {
+        Self {
+            scene: args.scene,
+            backend: args.backend,
+            size: args.size,
+            settings: Overrides {
+                half_resolution: args.half_resolution.map(Switch::on),
+                ..args.changes.into()
+            },
+            json: args.json,
+            effects: args.effects,
+            cache: Cache::of_user(),
+        }
+    }
+}
+
 /// Arguments of `gaunt compare`.
 #[derive(Args)]
 pub struct Compare {
@@ -86,6 +127,54 @@ pub struct Compare {
     changes: Changes,
 }
 
+/// Arguments of `gaunt view`.
+#[cfg(feature = "view")]
+#[derive(Args)]
+pub struct View {
+    /// A scene in TOML, or a mesh file; without one, the built-in scene
+    scene: Option<PathBuf>,
+    /// The clip that a mesh file plays, instead of its first: its name, or its number from 0
+    #[arg(long, value_name = "NAME")]
+    clip: Option<String>,
+    /// What computes; auto takes a GPU if there is one, and the CPU otherwise
+    #[arg(long, value_enum, default_value_t = Backend::Auto)]
+    backend: Backend,
+    /// Width and height of the window
+    #[arg(long, value_name = "WxH", default_value = "1440x900", value_parser = size)]
+    size: [u32; 2],
+    #[command(flatten)]
+    changes: Changes,
+    /// What is laid over the picture at first
+    #[arg(long, value_enum, default_value_t)]
+    overlay: gaunt::view::Overlay,
+    /// Write a picture of the window to this file and end; needs no display
+    #[arg(long, value_name = "FILE.png")]
+    screenshot: Option<PathBuf>,
+    /// How many frames of motion the picture waits for, 30 a second; it shows the last of them
+    #[arg(long, value_name = "COUNT", default_value_t = 1, requires = "screenshot", value_parser = clap::value_parser!(u32).range(1..))]
+    frames: u32,
+}
+
+#[cfg(feature = "view")]
+impl From<View> for gaunt::view::Options {
+    fn from(args: View) -> Self {
+        // Controls are explained as the options are: `render` has them all.
+        let options = Render::augment_args(clap::Command::new("gaunt"));
+        Self {
+            scene: args.scene,
+            clip: args.clip,
+            backend: args.backend,
+            size: args.size,
+            settings: args.changes.into(),
+            overlay: args.overlay,
+            screenshot: args.screenshot,
+            frames: args.frames,
+            cache: Cache::of_user(),
+            hints: gaunt::view::Hints::new(&options),
+        }
+    }
+}
+
 /// Arguments of `gaunt validate`.
 #[derive(Args)]
 pub struct Validate {
@@ -107,6 +196,41 @@ pub struct Validate {
     /// and weights.
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     only: Vec<String>,
+}
+
+/// Arguments of `gaunt export`.
+#[derive(Args)]
+pub struct Export {
+    /// The language: wgsl, glsl, hlsl, msl or spirv
+    #[arg(long, value_name = "LANGUAGE", required_unless_present = "all")]
+    lang: Option<String>,
+    /// SH order: 2 to 6
+    #[arg(long, default_value_t = 4)]
+    order: usize,
+    /// Only these routines and what they need, with commas between
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    routines: Vec<String>,
+    /// What every name starts with, instead of sh4_ at order 4
+    #[arg(long)]
+    prefix: Option<String>,
+    /// Every language at every order, with a page that explains them
+    #[arg(long, conflicts_with_all = ["lang", "order", "routines", "prefix"])]
+    all: bool,
+    /// The folder for the files, or an archive, .tar.gz
+    #[arg(short, long, value_name = "FOLDER", default_value = ".")]
+    out: PathBuf,
+}
+
+impl From<Export> for export::Options {
+    fn from(args: Export) -> Self {
+        Self {
+            language: args.lang,
+            order: args.order,
+            routines: args.routines,
+            prefix: args.prefix,
+            out: args.out,
+        }
+    }
 }
 
 impl From<Validate> for validate::Options {

@@ -33,6 +33,9 @@ pub enum Error {
     /// No GPU, or one that failed.
     #[error("{0}")]
     Gpu(String),
+    /// Something that cannot be exported.
+    #[error(transparent)]
+    Export(#[from] sh_kernels::export::ExportError),
     /// Something wrong with a scene or one of its files.
     #[error(transparent)]
     Scene(#[from] sh_bake::Error),

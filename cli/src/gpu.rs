@@ -10,7 +10,8 @@ pub use stamps::Stamps;
 
 use crate::Error;
 use std::sync::{Arc, Mutex, PoisonError};
-use wgpu::{Buffer, BufferUsages, CommandEncoder, Device, DeviceType, Features, Queue};
+use wgpu::{Adapter, AdapterInfo, Buffer, BufferUsages, CommandEncoder, Device, DeviceDescriptor};
+use wgpu::{DeviceType, Features, Queue};
 
 /// An opened GPU.
 #[derive(Debug)]
@@ -39,20 +40,27 @@ impl Gpu {
         };
         let adapter = pollster::block_on(instance.request_adapter(&options))
             .map_err(|_| Error::Gpu("no GPU driver was found".into()))?;
-        let info = adapter.get_info();
-        let software = info.device_type == DeviceType::Cpu;
-        let kind = if software { ", software" } else { "" };
-        let name = format!("{} ({:?}{kind})", info.name, info.backend);
-        let timestamps = adapter.features() & Features::TIMESTAMP_QUERY;
-        let descriptor = wgpu::DeviceDescriptor {
+        let (device, queue) = pollster::block_on(adapter.request_device(&Self::wants(&adapter)))
+            .map_err(|error| {
+                let name = name(&adapter.get_info());
+                Error::Gpu(format!("{name} cannot be opened: {error}"))
+            })?;
+        Ok(Self::of(&adapter, &device, &queue))
+    }
+
+    /// What is asked of an adapter: whatever it can, as the passes check sizes against it and tell what does not fit.
+    pub fn wants(adapter: &Adapter) -> DeviceDescriptor<'static> {
+        DeviceDescriptor {
             label: Some("gaunt"),
-            required_features: timestamps,
-            // Whatever the adapter can: the passes check sizes against it and tell what does not fit.
+            required_features: adapter.features() & Features::TIMESTAMP_QUERY,
             required_limits: adapter.limits(),
             ..Default::default()
-        };
-        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
-            .map_err(|error| Error::Gpu(format!("{name} cannot be opened: {error}")))?;
+        }
+    }
+
+    /// A device that somebody else has opened, with what it [`wants`](Self::wants). Its errors come here from now on.
+    pub fn of(adapter: &Adapter, device: &Device, queue: &Queue) -> Self {
+        let info = adapter.get_info();
         let complaint = Arc::new(Mutex::new(None));
         let heard = Arc::clone(&complaint);
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
@@ -61,15 +69,14 @@ impl Gpu {
                 .unwrap_or_else(PoisonError::into_inner)
                 .get_or_insert_with(|| error.to_string());
         }));
-        let timestamps = !timestamps.is_empty();
-        Ok(Self {
-            device,
-            queue,
-            name,
-            software,
-            timestamps,
+        Self {
+            device: device.clone(),
+            queue: queue.clone(),
+            name: name(&info),
+            software: info.device_type == DeviceType::Cpu,
+            timestamps: device.features().contains(Features::TIMESTAMP_QUERY),
             complaint,
-        })
+        }
     }
 
     /// Records, submits and waits until it is done.
@@ -139,4 +146,11 @@ impl Gpu {
             Some(complaint) => Err(Error::Gpu(format!("{} complains: {complaint}", self.name))),
         }
     }
+}
+
+/// An adapter's name and what drives it.
+fn name(info: &AdapterInfo) -> String {
+    let software = info.device_type == DeviceType::Cpu;
+    let kind = if software { ", software" } else { "" };
+    format!("{} ({:?}{kind})", info.name, info.backend)
 }

@@ -2,10 +2,13 @@
 
 mod arguments;
 
-use arguments::{Compare, Render, Validate};
+use arguments::{Compare, Export, Plan, Render, Validate};
 use clap::{Parser, Subcommand, ValueEnum};
 use gaunt::render::{Backend, Options};
-use gaunt::{Error, accuracy, bench, compare, eval, fit, ops, project, render, spheres, validate};
+use gaunt::{
+    Error, accuracy, bench, compare, eval, export, fit, ops, plan, project, render, spheres,
+    validate,
+};
 use sh_bake::Cache;
 use std::io::Write;
 use std::path::PathBuf;
@@ -27,6 +30,18 @@ enum Command {
     ///
     /// Prints where the picture is, the plan (which passes run and why) and the time that each stage took.
     Render(Render),
+    /// Print the passes that a scene calls for, why, and what each costs: dispatches, memory, time
+    ///
+    /// Runs some frames of the scene, at 30 a second where it moves. Tells what is left out and why, what was no work
+    /// because it had not changed, and which shaders a GPU compiles.
+    Plan(Plan),
+    /// Open a window on a scene: look around, play its motion, change settings and see what they cost
+    ///
+    /// Drag to look around, with shift or the right button to move aside, and use the wheel to come nearer. Arrow keys,
+    /// plus and minus do the same, space plays and pauses, Home goes back to the first view. Point at a name to read
+    /// what it means.
+    #[cfg(feature = "view")]
+    View(arguments::View),
     /// Compare the passes with the truth: pictures side by side, and figures of the difference
     ///
     /// The truth is traced path by path from one receiver a pixel, twice: with bodies as the only reflectors, as the
@@ -75,6 +90,11 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Export the SH routines as a file that another renderer's shaders include
+    ///
+    /// One file a language and order, without dependencies; every name starts with a prefix. docs/EXPORT.md tells how to
+    /// include it. GLSL comes in three versions (450, 330 and 300 es), SPIR-V as entry points and as a library to link.
+    Export(Export),
     /// Measure what accuracy costs: every exponential and logarithm against the truth, and in time
     ///
     /// Prints a table: for each SH order the methods from fast to slow, with their errors over 1,000 random sets
@@ -185,6 +205,12 @@ fn run(command: Option<Command>) -> Result<(), Error> {
             say(&render::render(&options)?.to_string())
         }
         Some(Command::Render(args)) => say(&render::render(&args.into())?.to_string()),
+        Some(Command::Plan(args)) => say(&plan::run(&args.into())?),
+        #[cfg(feature = "view")]
+        Some(Command::View(args)) => match gaunt::view::run(&args.into())? {
+            text if text.is_empty() => Ok(()),
+            text => say(&text),
+        },
         Some(Command::Compare(args)) => say(&compare::run(&args.into())?),
         Some(Command::Validate(args)) => say(&validate::run(&args.into())?),
         Some(Command::Project {
@@ -216,6 +242,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
                 ops::table(&counts)
             })
         }
+        Some(Command::Export(args)) => say(&export::run(&args.into())?),
         Some(Command::Accuracy { json, plot, page }) => {
             let options = accuracy::Options { json, plot, page };
             say(&accuracy::run(&options)?)

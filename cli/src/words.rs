@@ -31,7 +31,7 @@ pub(crate) struct Text {
 }
 
 /// Roboto, reduced to Latin letters; `assets/README.md` tells where it is from.
-const FONTS: [&[u8]; 2] = [
+pub(crate) const FONTS: [&[u8]; 2] = [
     include_bytes!("../assets/Roboto-Regular.ttf"),
     include_bytes!("../assets/Roboto-Bold.ttf"),
 ];

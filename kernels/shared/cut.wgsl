@@ -29,6 +29,18 @@ fn in_cut(at: u32, bounds: vec4f) -> bool {
     return node.parent == at || !is_small(nodes[node.parent], bounds);
 }
 
+// sh_scene::NEGLIGIBLE.
+const NEGLIGIBLE: f32 = 0.001953125;
+
+// Whether a node of a cut is too small to matter to any receiver of the cluster: sh_scene::Forest::is_negligible. Where
+// only leaves count none is, because sin_max is 0.
+fn is_negligible(at: u32, bounds: vec4f) -> bool {
+    let node = nodes[at];
+    let distance = distance(node.center, bounds.xyz) - bounds.w;
+    let share = f32(node.skip - at) * NEGLIGIBLE * sign(lighting.sin_max);
+    return distance > node.radius && node.area * f32(lighting.nodes) <= share * distance * distance;
+}
+
 // A node of the cut as the receivers add it up. A leaf stands for itself.
 fn weighted(at: u32, bounds: vec4f) -> Weighted {
     let node = nodes[at];

@@ -11,10 +11,18 @@ fn reflected(transfer: array<f32, $C>) -> vec3f {
     return sum;
 }
 
-// Shadowed radiance held within [0, unshadowed]. What is not a number (a series that ran over its range)
-// becomes 0; it is told by its bits, because a shader's compiler may assume that comparisons never meet one.
+// What is not a number (a series that ran over its range) becomes 0; it is told by its bits, because a shader's
+// compiler may assume that comparisons never meet one.
+fn number(value: vec3f) -> vec3f {
+    return select(vec3f(0.0), value, is_number(value));
+}
+
+fn is_number(value: vec3f) -> vec3<bool> {
+    return (bitcast<vec3u>(value) & vec3u(0x7fffffffu)) <= vec3u(0x7f800000u);
+}
+
+// Shadowed radiance held within [0, unshadowed], 0 for what is not a number.
 fn bounded(shadowed: vec3f, unshadowed: vec3f) -> vec3f {
-    let is_number = (bitcast<vec3u>(shadowed) & vec3u(0x7fffffffu)) <= vec3u(0x7f800000u);
     let most = max(unshadowed, vec3f(0.0));
-    return select(vec3f(0.0), clamp(shadowed, vec3f(0.0), most), is_number);
+    return select(vec3f(0.0), clamp(shadowed, vec3f(0.0), most), is_number(shadowed));
 }

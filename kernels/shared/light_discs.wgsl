@@ -35,55 +35,65 @@ fn may_hide(own: Met, other: Met, bounds: vec4f) -> bool {
             return false;
         }
     }
-    if (is_joint(own, other, length(own.center - other.center))) {
+    // A sphere without samples lies inside of its body, and is not seen.
+    if (!shines(other.node) && is_joint(own, other, length(own.center - other.center))) {
         return false;
     }
     return !(comes_first(own, other) && is_settled(own, other, bounds));
 }
 
-// Puts the listed nodes into workgroup memory and finds what may hide each.
+// Puts the listed nodes into workgroup memory, sorted by power, and finds what may hide each.
 fn find_hiders(count: u32, bounds: vec4f, lane: u32) {
     for (var k = lane; k < count; k += WORKGROUP) {
         keep(k, names[k], disc_ball(names[k]), bounds.xyz);
-        gains[k] = gain(names[k], balls[k].w, bounds.xyz);
     }
     workgroupBarrier();
+    sort_kept(count, bounds.xyz, lane);
+    for (var k = lane; k < count; k += WORKGROUP) {
+        gains[k] = gain(names[k], balls[k].w, bounds.xyz);
+    }
     for (var k = lane; k < count * WORDS; k += WORKGROUP) {
         let own = k / WORDS;
         let word = k % WORDS;
         var mask = 0u;
-        if (shines(names[own])) {
-            for (var bit = 0u; bit < min(count - min(word * 32u, count), 32u); bit += 1u) {
-                let other = word * 32u + bit;
-                mask |= u32(other != own && may_hide(met(own), met(other), bounds)) << bit;
-            }
+        for (var bit = 0u; bit < min(count - min(word * 32u, count), 32u); bit += 1u) {
+            let other = word * 32u + bit;
+            mask |= u32(other != own && may_hide(met(own), met(other), bounds)) << bit;
         }
         hiders[own][word] = mask;
     }
     workgroupBarrier();
 }
 
-// All spheres in workgroup memory.
-fn discs_in_memory(receiver: Receiver, count: u32, middle: vec3f) -> vec3f {
+// All spheres in workgroup memory, from the nearest on.
+fn discs_in_memory(receiver: Receiver, count: u32) -> vec3f {
     var sent = vec3f(0.0);
+    // What nearer ones leave of each.
+    var left: array<f32, ROOM>;
     for (var i = 0u; i < count; i += 1u) {
-        if (!shines(names[i])) {
-            continue;
-        }
+        left[i] = 1.0;
         let seen = seen_by(receiver, i);
-        var visible = open_disc(seen, receiver.normal);
-        if (visible <= 0.0) {
+        let open = open_disc(seen, receiver.normal);
+        if (open <= 0.0) {
             continue;
         }
+        var rest = 1.0;
         for (var word = 0u; word < WORDS; word += 1u) {
             var mask = hiders[i][word];
             while (mask != 0u) {
                 let j = word * 32u + countTrailingZeros(mask);
                 mask &= mask - 1u;
-                visible -= visible * hidden_by(receiver, i, seen, j, middle);
+                var part = 1.0;
+                if (j < i) {
+                    part = left[j];
+                }
+                rest -= hidden_by(receiver, i, seen, j, part);
             }
         }
-        sent += max(visible, 0.0) * gains[i] * mean_sent(names[i], seen);
+        left[i] = max(rest, 0.0);
+        if (shines(names[i])) {
+            sent += open * left[i] * gains[i] * mean_sent(names[i], seen);
+        }
     }
     return sent;
 }
@@ -105,7 +115,7 @@ fn discs_of_all(receiver: Receiver, bounds: vec4f, lane: u32) -> vec3f {
                 let count = take_discs(others, HALF, bounds, lane);
                 for (var j = HALF; j < HALF + count; j += 1u) {
                     if (visible > 0.0 && names[j] != node && may_hide(met(i), met(j), bounds)) {
-                        visible -= visible * hidden_by(receiver, i, seen, j, bounds.xyz);
+                        visible -= visible * hidden_by(receiver, i, seen, j, 1.0);
                     }
                 }
             }
@@ -136,8 +146,8 @@ fn open_disc(seen: Blocker, normal: vec3f) -> f32 {
     return seen.sine * seen.sine * max(dot(seen.direction, normal), 0.0);
 }
 
-// The part of sphere i's disc that sphere j hides.
-fn hidden_by(receiver: Receiver, i: u32, own: Blocker, j: u32, middle: vec3f) -> f32 {
+// The part of sphere i's disc that sphere j hides, of which so much is seen, if it comes first.
+fn hidden_by(receiver: Receiver, i: u32, own: Blocker, j: u32, left: f32) -> f32 {
     let other = seen_by(receiver, j);
     let a = counted_cosine(own);
     let b = counted_cosine(other);
@@ -148,7 +158,9 @@ fn hidden_by(receiver: Receiver, i: u32, own: Blocker, j: u32, middle: vec3f) ->
         return 0.0;
     }
     let covered = sh$N_disc_covered(angle(a), angle(b), angle(towards));
-    return covered * share(met(i), met(j), receiver.position, middle);
+    let part = share(met(i), met(j), receiver.position);
+    let ahead = max(2.0 * part - 1.0, 0.0);
+    return covered * part * (1.0 + (left - 1.0) * ahead);
 }
 
 // More than three angles err by together, in radians: discs that are apart by so much cover nothing of each other.

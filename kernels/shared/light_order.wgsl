@@ -53,8 +53,7 @@ fn comes_first(a: Met, b: Met) -> bool {
     return a.power < b.power || (a.power == b.power && a.node < b.node);
 }
 
-// Whether they are spheres of one body that intersect: what one hides of the other was left out when its surface was
-// sampled.
+// Whether they are spheres of one body that intersect.
 fn is_joint(a: Met, b: Met, apart: f32) -> bool {
     let body = members[a.node].x;
     return body == members[b.node].x && body != NO_BODY && apart < a.radius + b.radius;
@@ -75,15 +74,9 @@ fn swap_width(a: f32, b: f32, apart: f32) -> f32 {
     return max(circle, SHARPEST * smaller);
 }
 
-// How much of what `hider` covers it hides of `hidden` from a place, 0 to 1; `middle` is that of the cluster.
-fn share(hidden: Met, hider: Met, place: vec3f, middle: vec3f) -> f32 {
+// How much of what `hider` covers it hides of `hidden` from a place, 0 to 1.
+fn share(hidden: Met, hider: Met, place: vec3f) -> f32 {
     let apart = distance(hidden.center, hider.center);
-    if (is_joint(hidden, hider, apart)) {
-        return 0.0;
-    }
-    if (blocking.by_bodies != 0u) {
-        return f32(body_comes_first(hider, hidden, middle));
-    }
     let twice = 2.0 * apart;
     if (twice == 0.0) {
         return f32(comes_first(hider, hidden));
@@ -93,27 +86,9 @@ fn share(hidden: Met, hider: Met, place: vec3f, middle: vec3f) -> f32 {
     return clamp(0.5 + lead * slope, 0.0, 1.0);
 }
 
-// The order of whole bodies; within a body that of its spheres.
-fn body_comes_first(a: Met, b: Met, middle: vec3f) -> bool {
-    let own = members[a.node];
-    let other = members[b.node];
-    if (own.x == NO_BODY || other.x == NO_BODY || own.x == other.x) {
-        return comes_first(a, b);
-    }
-    let first = power(middle, nodes[own.y].center, nodes[own.y].radius);
-    let second = power(middle, nodes[other.y].center, nodes[other.y].radius);
-    return first < second || (first == second && own.x < other.x);
-}
-
 // Whether all that `near` covers is hidden of `far`, and nothing the other way, from all receivers of the cluster.
 fn is_settled(near: Met, far: Met, bounds: vec4f) -> bool {
     let apart = distance(near.center, far.center);
-    if (is_joint(near, far, apart)) {
-        return false;
-    }
-    if (blocking.by_bodies != 0u) {
-        return body_comes_first(near, far, bounds.xyz);
-    }
     let reach = bounds.w + swap_width(near.radius, far.radius, apart);
     return far.power - near.power >= 2.0 * apart * reach;
 }
@@ -137,6 +112,33 @@ fn keep(at: u32, node: u32, ball: vec4f, middle: vec3f) {
     names[at] = node;
     balls[at] = ball;
     powers[at] = power(middle, ball.xyz, ball.w);
+}
+
+// Spheres of the cut that an invocation sorts.
+const SORTED: u32 = ROOM / WORKGROUP;
+
+// Sorts the spheres in workgroup memory by power.
+fn sort_kept(count: u32, middle: vec3f, lane: u32) {
+    var own: array<u32, SORTED>;
+    var ball: array<vec4f, SORTED>;
+    var rank: array<u32, SORTED>;
+    for (var i = 0u; i < SORTED; i += 1u) {
+        let k = lane + i * WORKGROUP;
+        if (k < count) {
+            own[i] = names[k];
+            ball[i] = balls[k];
+            for (var other = 0u; other < count; other += 1u) {
+                rank[i] += u32(comes_first(met(other), met(k)));
+            }
+        }
+    }
+    workgroupBarrier();
+    for (var i = 0u; i < SORTED; i += 1u) {
+        if (lane + i * WORKGROUP < count) {
+            keep(rank[i], own[i], ball[i], middle);
+        }
+    }
+    workgroupBarrier();
 }
 
 // A sphere in workgroup memory as the receiver sees it.

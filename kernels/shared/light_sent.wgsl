@@ -5,7 +5,8 @@
 #import shared/light
 #import library
 
-// Elements of `emission` a node: its coefficients, and the brightest that it is anywhere.
+// Elements of `emission` a node: its coefficients, with those of how much of it can be seen, and the brightest that it
+// is anywhere.
 const SENT: u32 = $Cu + 1u;
 
 // Whether a node sends anything.
@@ -19,7 +20,8 @@ const MOST_GAIN: f32 = 4.0;
 const SMALLEST_SQUARE: f32 = 1.2e-38;
 
 // The reflection ratio of a node whose disc has this radius (Guerrero et al. 2008, equation 25): what the spheres below
-// it give to a place, none hiding another, over what the node gives in their stead. 1 for a sphere.
+// it give to a place, as much of each as its body leaves to be seen from there, over what the node gives in their stead. 1 for a
+// sphere.
 fn gain(at: u32, radius: f32, place: vec3f) -> vec3f {
     let end = min(nodes[at].skip, lighting.nodes);
     if (end <= at + 1u || !shines(at)) {
@@ -28,12 +30,23 @@ fn gain(at: u32, radius: f32, place: vec3f) -> vec3f {
     var sum = vec3f(0.0);
     for (var below = at + 1u; below < end; below += 1u) {
         if (nodes[below].skip <= below + 1u) {
-            sum += given(below, nodes[below].radius, place);
+            sum += seen_of(below, place) * given(below, nodes[below].radius, place);
         }
     }
     let own = given(at, radius, place);
     let ratio = min(sum / own, vec3f(MOST_GAIN));
     return select(vec3f(1.0), ratio, (own > vec3f(0.0)) & (sum > vec3f(0.0)));
+}
+
+// How much of a sphere its body's other spheres leave to be seen from a place.
+fn seen_of(node: u32, place: vec3f) -> f32 {
+    let towards = place - nodes[node].center;
+    let basis = sh$N_basis(towards / max(length(towards), SMALLEST_SQUARE));
+    var share = 0.0;
+    for (var i = 0u; i < $Cu; i += 1u) {
+        share += basis[i] * emission[node * SENT + i].a;
+    }
+    return clamp(share, 0.0, 1.0);
 }
 
 // What a node gives to a place, by the square of its disc's sine.

@@ -19,8 +19,8 @@ var<workgroup> unsettled: array<u32, ROOM>;
 // Where a run ends that begins with a sphere.
 var<workgroup> runs: array<u32, ROOM>;
 
-// Spheres of the cut that an invocation sorts.
-const SORTED: u32 = ROOM / WORKGROUP;
+// Whether bodies hide each other as a whole instead of sphere by sphere; sh_scene::Blocking.
+override BY_BODIES: bool = false;
 
 fn ball(at: u32) -> vec4f {
     return vec4f(nodes[at].center, nodes[at].radius);
@@ -32,30 +32,16 @@ fn order_cut(count: u32, bounds: vec4f, lane: u32) {
         keep(k, names[k], ball(names[k]), bounds.xyz);
     }
     workgroupBarrier();
-    var own: array<u32, SORTED>;
-    var rank: array<u32, SORTED>;
-    for (var i = 0u; i < SORTED; i += 1u) {
-        let k = lane + i * WORKGROUP;
-        if (k < count) {
-            own[i] = names[k];
-            for (var other = 0u; other < count; other += 1u) {
-                rank[i] += u32(comes_first(met(other), met(k)));
-            }
-        }
-    }
-    workgroupBarrier();
-    for (var i = 0u; i < SORTED; i += 1u) {
-        if (lane + i * WORKGROUP < count) {
-            keep(rank[i], own[i], ball(own[i]), bounds.xyz);
-            ratios[rank[i]] = weighted(own[i], bounds).weights;
-            gains[rank[i]] = gain(own[i], nodes[own[i]].radius, bounds.xyz);
-        }
+    sort_kept(count, bounds.xyz, lane);
+    for (var k = lane; k < count; k += WORKGROUP) {
+        ratios[k] = weighted(names[k], bounds).weights;
+        gains[k] = gain(names[k], nodes[names[k]].radius, bounds.xyz);
     }
     workgroupBarrier();
     for (var k = lane; k < count; k += WORKGROUP) {
         let far = met(k);
         var first = 0u;
-        while (first < k && is_settled(met(first), far, bounds)) {
+        while (first < k && is_behind(far, met(first), bounds)) {
             first += 1u;
         }
         unsettled[k] = first;
@@ -65,6 +51,41 @@ fn order_cut(count: u32, bounds: vec4f, lane: u32) {
         runs[k] = run_end(k, count);
     }
     workgroupBarrier();
+}
+
+// Whether all that `near` covers is hidden of `far`, and nothing the other way, from all receivers of the cluster.
+fn is_behind(far: Met, near: Met, bounds: vec4f) -> bool {
+    if (is_joint(far, near, distance(far.center, near.center))) {
+        return false;
+    }
+    if (BY_BODIES) {
+        return body_comes_first(near, far, bounds.xyz);
+    }
+    return is_settled(near, far, bounds);
+}
+
+// How much of what `hider` covers it hides of `hidden` from a place, 0 to 1; `middle` is that of the cluster. What
+// intersecting spheres of one body hide of each other is dark in their samples.
+fn hides(hidden: Met, hider: Met, place: vec3f, middle: vec3f) -> f32 {
+    if (is_joint(hidden, hider, distance(hidden.center, hider.center))) {
+        return 0.0;
+    }
+    if (BY_BODIES) {
+        return f32(body_comes_first(hider, hidden, middle));
+    }
+    return share(hidden, hider, place);
+}
+
+// The order of whole bodies; within a body that of its spheres.
+fn body_comes_first(a: Met, b: Met, middle: vec3f) -> bool {
+    let own = members[a.node];
+    let other = members[b.node];
+    if (own.x == NO_BODY || other.x == NO_BODY || own.x == other.x) {
+        return comes_first(a, b);
+    }
+    let first = power(middle, nodes[own.y].center, nodes[own.y].radius);
+    let second = power(middle, nodes[other.y].center, nodes[other.y].radius);
+    return first < second || (first == second && own.x < other.x);
 }
 
 // Where the run ends that begins at `start`: before the first sphere that, with all that follow, comes after the whole
@@ -108,9 +129,9 @@ fn sums_in_memory(receiver: Receiver, count: u32, middle: vec3f) -> vec3f {
             if (!alone) {
                 for (var j = start; j < end; j += 1u) {
                     if (j != i) {
-                        let hides = share(met(i), met(j), receiver.position, middle);
+                        let part = hides(met(i), met(j), receiver.position, middle);
                         let other = seen_by(receiver, j);
-                        before = with_sphere(before, other, ratios[j], hides);
+                        before = with_sphere(before, other, ratios[j], part);
                     }
                 }
             }
@@ -147,9 +168,9 @@ fn sums_of_all(receiver: Receiver, bounds: vec4f, lane: u32) -> vec3f {
                 let count = take_spheres(others, HALF, bounds, lane);
                 for (var j = HALF; j < HALF + count; j += 1u) {
                     if (counts && names[j] != node) {
-                        let hides = share(met(i), met(j), receiver.position, bounds.xyz);
+                        let part = hides(met(i), met(j), receiver.position, bounds.xyz);
                         let other = seen_by(receiver, j);
-                        before = with_sphere(before, other, ratios[j], hides);
+                        before = with_sphere(before, other, ratios[j], part);
                     }
                 }
             }

@@ -51,11 +51,6 @@ struct UpsampleRule {
     corner: f32,
 }
 
-// Whether bodies hide each other as a whole (1) or sphere by sphere (0); sh_scene::Blocking.
-struct BlockingRule {
-    by_bodies: u32,
-}
-
 // A point of a body's surface; sh_scene::SurfacePoint.
 struct SurfacePoint {
     // In object space.
@@ -63,6 +58,8 @@ struct SurfacePoint {
     // Which of its sphere's directions it stands for.
     direction: u32,
     normal: vec3f,
+    // In how much of the direction's cell the sphere has surface of its own.
+    share: f32,
     albedo: vec3f,
 }
 

@@ -14,11 +14,15 @@
 //! | | `pack` | band (uniform), places, surfaces (textures) | receivers, albedos (storage, written) |
 //! | irradiance | `irradiance` | lighting (uniform), emitters | receivers, radiance (written) |
 //! | shadow | `shadow` | lighting (uniform), emitters, nodes | receivers, clusters, radiance (written) |
-//! | light_gather | `gather_discs`, `gather_sums` | lighting (uniform), nodes, blocking rule (uniform), members, emission | receivers, clusters, radiance (added to) |
+//! | shadowed_light | `shadowed_light` | as above | receivers, clusters, light (written: n² `vec4f` a receiver) |
+//! | light_gather | `gather_discs`, `gather_sums` | lighting (uniform), nodes, members, emission | receivers, clusters, radiance (added to) |
 //! | upsample | `shares` | band, lighting (uniform), emitters, rule (uniform) | half receivers, half radiance (to shares) |
 //! | | `upsample` | as above | half receivers, half shares, receivers, radiance, what to shade anew and its clusters (three written), what is sent at half resolution |
 //! | | `scatter` | as above | clusters, what is shaded anew, its radiance, radiance (written) |
 //! | resolve | `resolve` | band (uniform), environment (texture) | receivers, albedo, radiance, picture (written) |
+//! | vertices | `vertices` | source (uniform) | receivers (written), the host's vertices |
+//! | screen | `from_positions`, `from_depth` | source (uniform) | receivers (written), the host's normals and positions or depth (textures) |
+//! | | `to_texture` | as above | radiance, the host's texture (written) |
 //!
 //! Compute entry points have workgroups of [`WORKGROUP`] invocations and count elements row by row over a
 //! two-dimensional dispatch; how many there are follows from the size of the bound buffers. `shadow`, `light_gather`,
@@ -30,6 +34,8 @@
 //! assert!(wgsl.contains("fn shadow("));
 //! assert!(sh_kernels::source(sh_kernels::Pass::Shadow, 7).is_none());
 //! ```
+
+#![forbid(unsafe_code)]
 
 /// The lowest SH order there are kernels for.
 pub const MIN_ORDER: usize = 2;
@@ -51,24 +57,33 @@ pub enum Pass {
     Irradiance,
     /// Light through the visibility of all blocker spheres.
     Shadow,
+    /// That light itself, before the cosine lobe.
+    ShadowedLight,
     /// Light that spheres send on.
     LightGather,
     /// Radiance at half resolution to samples.
     Upsample,
     /// Samples to pixels; the same text for every order.
     Resolve,
+    /// A host's vertices as receivers; the same text for every order.
+    Vertices,
+    /// A host's G-buffer as receivers, and radiance into its texture; the same text for every order.
+    Screen,
 }
 
 impl Pass {
     /// All passes, in the order of a frame.
-    pub const ALL: [Pass; 7] = [
+    pub const ALL: [Pass; 10] = [
         Pass::LightUpdate,
         Pass::Gbuffer,
         Pass::Irradiance,
         Pass::Shadow,
+        Pass::ShadowedLight,
         Pass::LightGather,
         Pass::Upsample,
         Pass::Resolve,
+        Pass::Vertices,
+        Pass::Screen,
     ];
 
     /// The name of the pass and of its file.
@@ -78,12 +93,21 @@ impl Pass {
             Pass::Gbuffer => "gbuffer",
             Pass::Irradiance => "irradiance",
             Pass::Shadow => "shadow",
+            Pass::ShadowedLight => "shadowed_light",
             Pass::LightGather => "light_gather",
             Pass::Upsample => "upsample",
             Pass::Resolve => "resolve",
+            Pass::Vertices => "vertices",
+            Pass::Screen => "screen",
         }
     }
 }
+
+#[cfg(feature = "export")]
+pub mod export;
+#[cfg(feature = "export")]
+#[expect(dead_code, reason = "only the build script links")]
+mod link;
 
 include!(concat!(env!("OUT_DIR"), "/sources.rs"));
 
@@ -103,6 +127,15 @@ pub fn source(pass: Pass, order: usize) -> Option<&'static str> {
 /// ```
 pub fn shadow(order: usize, accumulation: usize) -> Option<&'static str> {
     linked(Pass::Shadow.name(), order, accumulation)
+}
+
+/// As [`shadow`], for [`Pass::ShadowedLight`].
+///
+/// ```
+/// assert!(sh_kernels::shadowed_light(4, 6).is_some_and(|wgsl| wgsl.contains("fn shadowed_light(")));
+/// ```
+pub fn shadowed_light(order: usize, accumulation: usize) -> Option<&'static str> {
+    linked(Pass::ShadowedLight.name(), order, accumulation)
 }
 
 /// The routines of an SH order as a WGSL function library, without any pass: all that sh-codegen generates,

@@ -37,12 +37,16 @@ impl fmt::Display for LinkError {
 impl std::error::Error for LinkError {}
 
 /// A declaration at the top level of a module.
-#[derive(Clone)]
-struct Item {
-    text: String,
-    name: String,
-    uses: HashSet<String>,
-    entry: bool,
+#[derive(Clone, Debug)]
+pub struct Item {
+    /// Its text, with its comments and attributes.
+    pub text: String,
+    /// What it declares.
+    pub name: String,
+    /// The words that it mentions.
+    pub uses: HashSet<String>,
+    /// Whether it is an entry point.
+    pub entry: bool,
 }
 
 /// What the placeholders stand for.
@@ -55,7 +59,7 @@ pub struct Choice {
 }
 
 /// A generated library, taken apart once for all that import it.
-pub struct Library(Vec<Item>);
+pub struct Library(pub Vec<Item>);
 
 impl Library {
     /// From its text, which holds neither imports nor placeholders.
@@ -102,15 +106,21 @@ pub fn link(root: &str, choice: Choice, modules: Modules<'_>) -> Result<String, 
     })?;
     gather(root, &text, choice, &modules, &mut seen, &mut items)?;
     let library = !items.iter().any(|i| i.entry);
-    let mut reached = HashSet::new();
-    let mut open: Vec<&Item> = items.iter().filter(|i| i.entry || library).collect();
+    let kept = reached(&items, |item| item.entry || library);
+    let texts: Vec<_> = kept.iter().map(|i| i.text.as_str()).collect();
+    Ok(texts.join("\n"))
+}
+
+/// The items that the chosen ones mention, directly or through others, and themselves; in their order.
+pub fn reached(items: &[Item], chosen: impl Fn(&Item) -> bool) -> Vec<&Item> {
+    let mut names = HashSet::new();
+    let mut open: Vec<&Item> = items.iter().filter(|i| chosen(i)).collect();
     while let Some(item) = open.pop() {
-        if reached.insert(item.name.clone()) {
+        if names.insert(&item.name) {
             open.extend(items.iter().filter(|i| item.uses.contains(&i.name)));
         }
     }
-    let kept = items.iter().filter(|i| reached.contains(&i.name));
-    Ok(kept.map(|i| i.text.as_str()).collect::<Vec<_>>().join("\n"))
+    items.iter().filter(|i| names.contains(&i.name)).collect()
 }
 
 /// Appends the items of a module, those of its imports first.

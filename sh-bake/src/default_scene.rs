@@ -1,8 +1,8 @@
 //! The scene that needs no file.
 
-use crate::Cache;
 use crate::load::{FitReport, Progress, Report, fit_all};
 use crate::shapes;
+use crate::{Cache, Choices, surface};
 use glam::{Affine3A, Quat, Vec3};
 use sh_scene::{Camera, Ground, Material, Mesh, Object, Scene, Settings, Sky, SurfaceSamples};
 use std::f32::consts::{FRAC_PI_2, TAU};
@@ -23,6 +23,15 @@ pub fn default_scene(
     cache: Option<&Cache>,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> (Scene, Report) {
+    default_scene_with(Choices::default(), cache, progress)
+}
+
+/// [`default_scene`] with more or fewer spheres, or surface samples. It has no clips.
+pub fn default_scene_with(
+    choices: Choices,
+    cache: Option<&Cache>,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> (Scene, Report) {
     let start = Instant::now();
     let pieces = pieces();
     let environment = Sky::default().map(512, 256);
@@ -33,7 +42,9 @@ pub fn default_scene(
 
     let start = Instant::now();
     let fits = fit_all(
-        pieces.iter().map(|piece| (vec![&piece.1], piece.2)),
+        pieces
+            .iter()
+            .map(|piece| (vec![&piece.1], choices.count(piece.2))),
         cache,
         progress,
     );
@@ -58,6 +69,12 @@ pub fn default_scene(
         let lowest = object.bounds().map_or(0.0, |[low, _]| low.y);
         object.transform = Affine3A::from_rotation_translation(turn, place - Vec3::Y * lowest);
         objects.push(object);
+    }
+    if choices.surfaces {
+        let start = Instant::now();
+        let bodies: Vec<_> = (0..objects.len()).map(|i| i..i + 1).collect();
+        report.surfaces = surface::sample(&mut objects, &bodies, cache, progress);
+        report.surface_time = start.elapsed();
     }
     let scene = Scene {
         objects,

@@ -12,6 +12,16 @@
 //! Bad input is an [`Error`]: a sentence that names the file and what in it is wrong. Nothing is printed;
 //! what was wrong and could be put right comes back as warnings.
 //!
+//! For whoever has files: a renderer with loaders of its own needs only `sh-scene`. What comes out is what a plan is
+//! made for, and what `sh-cpu` and `sh-gpu` shade, frame by frame.
+//!
+//! ```
+//! // A ball of triangles, bounded by eight spheres: what a renderer with meshes of its own needs of this crate.
+//! let ball = sh_bake::shapes::ball(1.0, 1);
+//! let set = sh_bake::SphereSet::fit(&[&ball], 8);
+//! assert!((1..=8).contains(&set.spheres.len()));
+//! ```
+//!
 //! # Scene files
 //! TOML; every key but `mesh` may be left out. A key that is not known is an error.
 //!
@@ -72,6 +82,7 @@
 //! ```
 
 mod cache;
+mod choices;
 mod default_scene;
 mod environment;
 mod error;
@@ -91,7 +102,8 @@ mod spheres;
 mod surface;
 
 pub use cache::Cache;
-pub use default_scene::default_scene;
+pub use choices::Choices;
+pub use default_scene::{default_scene, default_scene_with};
 pub use environment::load_environment;
 pub use error::Error;
 pub use load::{FitReport, Loaded, Progress, Report, load_scene, load_scene_with};

@@ -5,7 +5,7 @@ use crate::mesh::{Model, load_mesh};
 use crate::motion::{self, ClipChoice, Rigs};
 use crate::objects::ObjectEntry;
 use crate::scene_file::SceneFile;
-use crate::{Cache, SphereSet, SurfaceReport, is_closed, load_environment, surface};
+use crate::{Cache, Choices, SphereSet, SurfaceReport, is_closed, load_environment, surface};
 use glam::Vec3;
 use rayon::prelude::*;
 use sh_scene::motion::Motion;
@@ -86,25 +86,27 @@ pub fn load_scene(path: &Path) -> Result<Loaded, Error> {
     load_scene_with(path, ClipChoice::None, None, &|_| {})
 }
 
-/// [`load_scene`] with a clip for a mesh file, telling `progress` how far it is: from several threads, in any
+/// [`load_scene`] with a clip for a mesh file, or other [`Choices`], telling `progress` how far it is: from several threads, in any
 /// order. With a cache, sphere sets and surface samples that it has are taken from there, and others put into it; the
 /// scene is the same, bit by bit.
 ///
 /// # Errors
 /// As [`load_scene`], and where the file has no such clip, or is a scene file and one is named.
-pub fn load_scene_with(
+pub fn load_scene_with<'a>(
     path: &Path,
-    clip: ClipChoice,
+    choices: impl Into<Choices<'a>>,
     cache: Option<&Cache>,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Loaded, Error> {
     let start = Instant::now();
+    let choices: Choices = choices.into();
+    let clip = choices.clip;
     let ending = path
         .extension()
         .and_then(|e| e.to_str())
         .unwrap_or("")
         .to_ascii_lowercase();
-    let file = match ending.as_str() {
+    let mut file = match ending.as_str() {
         "obj" | "gltf" | "glb" => SceneFile::of_mesh(path),
         _ if matches!(clip, ClipChoice::Named(_)) => {
             return Err(Error::file(
@@ -114,6 +116,9 @@ pub fn load_scene_with(
         }
         _ => SceneFile::read(path)?,
     };
+    for entry in &mut file.objects {
+        entry.spheres = choices.count(entry.spheres);
+    }
     let mut report = Report::default();
 
     let mut models: BTreeMap<&Path, Model> = BTreeMap::new();
@@ -200,7 +205,7 @@ pub fn load_scene_with(
         }
     }
     report.fit_time = start.elapsed();
-    if file.settings.indirect.is_some() {
+    if file.settings.indirect.is_some() || choices.surfaces {
         let start = Instant::now();
         report.surfaces = surface::sample(&mut objects, &whole, cache, progress);
         motion.add_surfaces(&objects);

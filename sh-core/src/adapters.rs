@@ -17,6 +17,18 @@ mod pod {
     unsafe impl<L: Zeroable, const C: usize> Zeroable for ShRgb<L, C> {}
     // SAFETY: as above.
     unsafe impl<L: Pod, const C: usize> Pod for ShRgb<L, C> {}
+
+    macro_rules! stored {
+        ($($type:ty)*) => { $(
+            // SAFETY: one array of f32 or u32, of a size that its alignment divides: any bits are a value.
+            unsafe impl Zeroable for $type {}
+            // SAFETY: as above; no padding.
+            unsafe impl Pod for $type {}
+        )* };
+    }
+    stored!(crate::storage::Rgb2 crate::storage::Rgb3);
+    #[cfg(feature = "half")]
+    stored!(crate::storage::HalfRgb2 crate::storage::HalfRgb3);
 }
 
 #[cfg(feature = "approx")]
@@ -78,6 +90,39 @@ mod rotations {
         /// ```
         pub fn rotate_mat3(&self, m: Mat3) -> Self {
             self.rotate_matrix(m.transpose().to_cols_array())
+        }
+    }
+}
+
+#[cfg(feature = "mint")]
+mod interchange {
+    use crate::{Lane, Routines, Sh};
+    use mint::RowMatrix3;
+
+    impl<L: Lane, const C: usize> Sh<L, C>
+    where
+        [L; C]: Routines<L>,
+    {
+        /// Rotated by a mint matrix (feature `mint`), by rows or by columns, and so by the matrix of any library
+        /// that speaks mint. Directions and quaternions need no adapter: wherever three or four numbers are asked
+        /// for, a `Vector3`, a `Point3` or a `Quaternion` will do. See [`Routines::rotate_matrix`].
+        ///
+        /// ```
+        /// use mint::{ColumnMatrix3, Quaternion, RowMatrix3, Vector3};
+        /// use sh_core::Sh4;
+        /// let right = Vector3::from([1.0, 0.0, 0.0]);
+        /// let f = Sh4::basis(right);
+        /// // 90 degrees about z send x to y.
+        /// let rows = RowMatrix3::from([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+        /// let half = std::f32::consts::FRAC_1_SQRT_2;
+        /// let turn = Quaternion { v: Vector3::from([0.0, 0.0, half]), s: half };
+        /// let up = Sh4::basis([0.0, 1.0, 0.0]);
+        /// assert!((f.rotate_mint(rows) - up).norm() < 1e-5);
+        /// assert!((f.rotate_mint(ColumnMatrix3::from(rows)) - up).norm() < 1e-5);
+        /// assert!((f.rotate(turn) - up).norm() < 1e-5);
+        /// ```
+        pub fn rotate_mint(&self, m: impl Into<RowMatrix3<L>>) -> Self {
+            self.rotate_matrix(m.into().into())
         }
     }
 }

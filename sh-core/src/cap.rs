@@ -4,6 +4,15 @@
 //! ([`log_table`]), and fitted polynomials that need no table look-up: one for each exponential
 //! ([`log_fitted_to`]), of which [`Routines::cap_log`] and
 //! [`Routines::cap_log_saturating`] are for vector lanes and shaders.
+//!
+//! ```
+//! use sh_core::{Routines, Sh4d, cap};
+//! // A quarter of the sky around +Y is hidden; the shadow of its fitted logarithm is nearly that.
+//! let (angle, up) = (std::f64::consts::FRAC_PI_3, [0.0, 1.0, 0.0]);
+//! let exact = Sh4d::zonal(cap::visibility::<16>(angle), up);
+//! let log = Sh4d::zonal(cap::log_fitted_to::<16>(cap::Fit::Saturating, angle), up);
+//! assert!((log.0.exp_saturating()[0] - exact[0]).abs() < 0.05 * exact[0]);
+//! ```
 
 use crate::{Routines, generated, real};
 
@@ -22,7 +31,13 @@ where
 }
 
 /// Zonal coefficients of the fitted logarithm of [`visibility`], `angle` in 0..π/2; larger angles are
-/// answered as π/2.
+/// answered as π/2. [`Routines::cap_log`] by the angle in radians, with its source and errors.
+///
+/// ```
+/// let z = sh_core::cap::log_fitted::<16>(0.5);
+/// assert!(z[0] < 0.0);
+/// assert_eq!(sh_core::cap::log_fitted::<16>(9.0), sh_core::cap::log_fitted::<16>(std::f64::consts::FRAC_PI_2));
+/// ```
 pub fn log_fitted<const C: usize>(angle: f64) -> <[f64; C] as Routines<f64>>::Zonal
 where
     [f64; C]: Routines<f64>,
@@ -35,7 +50,14 @@ where
 /// beyond 179° are answered as 179°.
 ///
 /// Interpolation errs by at most 0.11 up to 150° (at the kinks where a further eigenvalue is clipped) and by
-/// 0.42 from there to 179°, where its DC coefficient is below −10.
+/// 0.42 from there to 179°, where its DC coefficient is below −10. Ren et al. 2006, eq. 30–34.
+///
+/// ```
+/// // A whole degree is a row of the table, and the table is the eigenanalysis.
+/// let z = sh_core::cap::log_table::<16>(30.0_f64.to_radians());
+/// let fitted = sh_core::cap::log_fitted::<16>(30.0_f64.to_radians());
+/// assert!(z[0] < 0.0 && (z[0] - fitted[0]).abs() < 0.45);
+/// ```
 pub fn log_table<const C: usize>(angle: f64) -> <[f64; C] as Routines<f64>>::Zonal
 where
     [f64; C]: Routines<f64>,
@@ -52,6 +74,13 @@ where
 }
 
 /// What a fitted logarithm is fitted to: the exponential that takes it back, or the eigen logarithm.
+///
+/// ```
+/// use sh_core::cap::{Fit, log_fitted_to};
+/// // Each exponential has a logarithm of its own.
+/// let of = |fit| log_fitted_to::<16>(fit, 0.7)[0];
+/// assert!(of(Fit::Saturating) != of(Fit::Eigen));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fit {
     /// [`Routines::exp_saturating`]; the fit of [`Routines::cap_log_saturating`].

@@ -24,6 +24,15 @@
 //! Products and squares are hundreds to thousands of operations. The functions by plain names have them inlined
 //! wherever they are used; where that is too much code, or where a routine must be entered in an instruction set
 //! of its own, say with the functions `..._by` how they are to be called ([`Calls`]).
+//!
+//! ```
+//! use sh_core::{Sh4d, cap, exp};
+//! // Behind three blockers in a row: add their logarithms, exponentiate once.
+//! let log = |d| Sh4d::zonal(cap::log_fitted::<16>(0.3), d);
+//! let sum = log([0.0, 0.6, 0.8]) + log([0.0, 1.0, 0.0]) + log([0.0, 0.6, -0.8]);
+//! let visible = exp::hyb(&sum.0)[0] / Sh4d::ONE[0];
+//! assert!(visible > 0.9 && visible < 0.97, "{visible}");
+//! ```
 
 use crate::{Lane, ROOT_FOUR_PI, Routines};
 
@@ -31,14 +40,42 @@ use crate::{Lane, ROOT_FOUR_PI, Routines};
 const MOST_HALVINGS: u32 = 1026;
 
 /// How [`Routines::square`] and [`Routines::product`] are called.
+///
+/// ```
+/// use sh_core::exp::{Calls, Inlined, Outlined};
+/// let f = [0.1_f64, 0.2, 0.3, 0.4];
+/// assert_eq!(Outlined::square(&f), <Inlined as Calls<f64, 4>>::square(&f));
+/// ```
 pub trait Calls<L: Lane, const C: usize> {
     /// The square of `f`.
+    ///
+    /// See [`Routines::square`].
+    ///
+    /// ```
+    /// use sh_core::{Routines, exp::{Calls, Outlined}};
+    /// let f = [0.1_f64, 0.2, 0.3, 0.4];
+    /// assert_eq!(Outlined::square(&f), f.square());
+    /// ```
     fn square(f: &[L; C]) -> [L; C];
     /// The product of `f` and `g`.
+    ///
+    /// See [`Routines::product`].
+    ///
+    /// ```
+    /// use sh_core::{Routines, exp::{Calls, Outlined}};
+    /// let f = [0.1_f64, 0.2, 0.3, 0.4];
+    /// assert_eq!(Outlined::product(&f, &f), f.product(&f));
+    /// ```
     fn product(f: &[L; C], g: &[L; C]) -> [L; C];
 }
 
 /// Copied to the place of use: fast, and the only way that takes over a caller's instruction set.
+///
+/// ```
+/// use sh_core::exp::{self, Inlined};
+/// let f = [-0.3_f32; 16];
+/// assert_eq!(exp::hyb_by::<Inlined, _, _>(&f), exp::hyb(&f));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Inlined;
 
@@ -58,6 +95,12 @@ where
 }
 
 /// One function each for a type of number, for plain numbers: quick to compile.
+///
+/// ```
+/// use sh_core::exp::{self, Outlined};
+/// let f = [-0.3_f32; 16];
+/// assert_eq!(exp::hyb_by::<Outlined, _, _>(&f), exp::hyb(&f));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Outlined;
 
@@ -94,6 +137,12 @@ where
 }
 
 /// [`product_series`] with products called by `P`.
+///
+/// ```
+/// use sh_core::exp::{self, Outlined};
+/// let f = [-0.3_f64; 16];
+/// assert_eq!(exp::product_series_by::<Outlined, _, _>(&f, 3), exp::product_series(&f, 3));
+/// ```
 #[inline(always)]
 pub fn product_series_by<P: Calls<L, C>, L: Lane, const C: usize>(
     f: &[L; C],
@@ -195,6 +244,12 @@ where
 }
 
 /// [`hyb`] with squares called by `P`.
+///
+/// ```
+/// use sh_core::exp::{self, Outlined};
+/// let f = [-0.3_f64; 16];
+/// assert_eq!(exp::hyb_by::<Outlined, _, _>(&f), exp::hyb(&f));
+/// ```
 #[inline(always)]
 pub fn hyb_by<P: Calls<L, C>, L: Lane, const C: usize>(f: &[L; C]) -> [L; C]
 where

@@ -30,38 +30,97 @@ pub trait Lane:
     + Neg<Output = Self>
 {
     /// The outcome of a comparison, one truth value a lane.
+    ///
+    /// ```
+    /// use sh_core::Lane;
+    /// let mask: <f32 as Lane>::Mask = Lane::lt(1.0, 2.0);
+    /// assert!(mask);
+    /// ```
     type Mask: Copy;
 
     /// `value` in every lane, rounded once to the lane's precision.
+    ///
+    /// ```
+    /// use sh_core::Lane;
+    /// assert_eq!(0.0_f32.lift(0.1), 0.1_f32);
+    /// ```
     fn lift(self, value: f64) -> Self;
 
     /// `self * factor + term`. Fused where the target fuses, two roundings elsewhere: a fused operation
     /// without hardware is a library call that costs more than the routine around it.
+    ///
+    /// ```
+    /// use sh_core::Lane;
+    /// assert_eq!(Lane::mul_add(2.0_f32, 3.0, 4.0), 10.0);
+    /// ```
     fn mul_add(self, factor: Self, term: Self) -> Self;
 
     /// Square root.
+    ///
+    /// Rounded correctly.
+    ///
+    /// ```
+    /// use sh_core::Lane;
+    /// assert_eq!(Lane::sqrt(9.0_f64), 3.0);
+    /// ```
     fn sqrt(self) -> Self;
 
     /// Absolute value.
+    ///
+    /// ```
+    /// use sh_core::Lane;
+    /// assert_eq!(Lane::abs(-2.0_f32), 2.0);
+    /// ```
     fn abs(self) -> Self;
 
     /// e to the power of `self`. Relative error at most 2 units in the last place for results in the
     /// normal range; below it 0 or a subnormal, above it infinity.
+    ///
+    /// ```
+    /// use sh_core::Lane;
+    /// assert!((Lane::exp(1.0_f64) - std::f64::consts::E).abs() < 1e-15);
+    /// ```
     fn exp(self) -> Self;
 
     /// The smaller of both. Where one is NaN the result is unspecified.
+    ///
+    /// ```
+    /// use sh_core::Lane;
+    /// assert_eq!(Lane::min(1.0_f32, 2.0), 1.0);
+    /// ```
     fn min(self, other: Self) -> Self;
 
     /// The larger of both. Where one is NaN the result is unspecified.
+    ///
+    /// ```
+    /// use sh_core::Lane;
+    /// assert_eq!(Lane::max(1.0_f32, 2.0), 2.0);
+    /// ```
     fn max(self, other: Self) -> Self;
 
     /// `self < other`, lane by lane; false where either is NaN.
+    ///
+    /// ```
+    /// use sh_core::Lane;
+    /// assert!(Lane::lt(1.0_f32, 2.0) && !Lane::lt(f32::NAN, 2.0));
+    /// ```
     fn lt(self, other: Self) -> Self::Mask;
 
     /// `then` where the mask holds, `otherwise` elsewhere.
+    ///
+    /// ```
+    /// use sh_core::Lane;
+    /// let (a, b) = (3.0_f32, 4.0);
+    /// assert_eq!(f32::select(Lane::lt(a, b), a, b), 3.0);
+    /// ```
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 
     /// Whether the mask holds in any lane.
+    ///
+    /// ```
+    /// use sh_core::Lane;
+    /// assert!(f32::any(Lane::lt(1.0_f32, 2.0)));
+    /// ```
     fn any(mask: Self::Mask) -> bool;
 }
 

@@ -12,12 +12,25 @@
 //! - [`Routines`]: what is generated for every order, on plain arrays and for any [`Lane`].
 //! - [`exp`]: the SH exponential; [`log`] (feature `log`) and [`cap`]: logarithms of visibility.
 //! - [`project`]: environment maps to SH vectors.
+//! - [`convention`]: vectors as Unity, Unreal, Filament and three.js write them, and other axes.
+//! - [`storage`]: vectors in uniform and storage buffers, in half precision.
 //!
 //! The same text computes with `f32`, `f64` and vector lanes. In single precision a product errs by at most
 //! 16 u ‖f‖‖g‖ and a rotation by 1e-6 ‖f‖ (u = 2⁻²⁴); the f64 forms are good to the same count of *their* u.
 //!
 //! # Features
-//! `std` (default) or `libm` for elementary functions; `log`, `glam`, `bytemuck`, `approx`.
+//! All of them add and none takes away; without any but `std` the crate depends on nothing at run time, and its build
+//! script on the generator alone.
+//!
+//! | feature | brings |
+//! |---|---|
+//! | `std` (default) | elementary functions of the standard library |
+//! | `libm` | elementary functions of the crate libm, without a standard library; one of the two has to be on |
+//! | `log` | the SH logarithm of any vector, by eigenanalysis (nalgebra) |
+//! | `glam`, `mint` | rotation by their matrices; their vectors and quaternions are taken as they are |
+//! | `bytemuck` | `Pod` and `Zeroable` |
+//! | `half` | storage in half precision |
+//! | `approx` | approximate comparison |
 //!
 //! ```
 //! use sh_core::{Sh4, cap};
@@ -30,21 +43,32 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![deny(unsafe_code)]
+#![cfg_attr(
+    not(all(feature = "half", feature = "log")),
+    allow(
+        rustdoc::broken_intra_doc_links,
+        reason = "without a feature there is nothing to link to where its items are spoken of"
+    )
+)]
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("sh-core needs elementary functions: enable the feature `std` (default) or `libm`");
 
 mod adapters;
 pub mod cap;
+pub mod convention;
 pub mod exp;
-pub mod generated;
+mod generated;
 mod lane;
 #[cfg(feature = "log")]
 pub mod log;
 pub mod project;
 mod real;
+mod rgb;
+pub mod storage;
 mod vector;
 
 pub use generated::Routines;
 pub use lane::Lane;
-pub use vector::{ROOT_FOUR_PI, Sh, Sh2, Sh2d, Sh3, Sh3d, Sh4, Sh4d, Sh5, Sh5d, Sh6, Sh6d, ShRgb};
+pub use rgb::ShRgb;
+pub use vector::{ROOT_FOUR_PI, Sh, Sh2, Sh2d, Sh3, Sh3d, Sh4, Sh4d, Sh5, Sh5d, Sh6, Sh6d};

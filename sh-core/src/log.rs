@@ -10,17 +10,42 @@
 //! clipped to 0.02 of the largest (eq. 32): g is truncated, so M_g of a visibility may have eigenvalues at
 //! or below zero. This is a preprocess: an eigenanalysis of an n² × n² matrix. [`Logarithm::exp`] is the product
 //! series' limit by the same means (eq. 28).
+//!
+//! ```
+//! use sh_core::{ROOT_FOUR_PI, Sh4d, cap, log::Logarithm};
+//! // Two blockers side by side: their logarithms add up.
+//! let past = |d| Sh4d::zonal(cap::visibility::<16>(0.5), d).0.log();
+//! let (one, other) = (past([0.0, 0.6, 0.8]), past([0.0, 0.6, -0.8]));
+//! let both = Sh4d::from(one) + Sh4d::from(other);
+//! assert!(both.0.exp()[0] < one.exp()[0] && both.0.exp()[0] > 0.5 * ROOT_FOUR_PI);
+//! ```
 
 use crate::{ROOT_FOUR_PI, Routines, real};
 use nalgebra::{SMatrix, SVector};
 
 /// Eigenvalues below this part of the largest are raised to it.
+///
+/// Ren et al. 2006, eq. 32.
+///
+/// ```
+/// use sh_core::{Sh2d, log::{CLIP, Logarithm}};
+/// // Half dark: the least eigenvalue is clipped, and the logarithm stays finite.
+/// let half = Sh2d::ONE * 0.5 + Sh2d::basis([0.0, 1.0, 0.0]) * 1.5;
+/// assert!(half.0.log().iter().all(|c| c.is_finite() && c.abs() < -CLIP.ln() * 4.0));
+/// ```
 pub const CLIP: f64 = 0.02;
 
 /// The least visibility that a logarithm is taken of.
 const DARKEST: f64 = 1e-30;
 
 /// An array of n² coefficients whose logarithm can be taken; implemented for orders 2 to 6.
+///
+/// ```
+/// use sh_core::{Sh3d, log::Logarithm};
+/// // The exponential takes the logarithm back, but for what both truncate.
+/// let g = Sh3d::ONE * 0.7 + Sh3d::basis([0.0, 1.0, 0.0]) * 0.1;
+/// assert!((Sh3d::from(g.0.log().exp()) - g).norm() < 1e-2);
+/// ```
 pub trait Logarithm: Routines<f64> {
     /// log(g). Finite for every finite g; a g whose product matrix has no positive eigenvalue (nothing is
     /// visible anywhere) gets the logarithm of 1e-30.
@@ -123,6 +148,13 @@ fn inverse_growth(x: f64) -> f64 {
 /// (Ren et al. 2006, eq. 25). Kept for comparison: it ignores what the exponential truncates.
 ///
 /// 4,096 midpoints in z: integration error below 1e-5 of ‖log‖.
+///
+/// ```
+/// use sh_core::{ROOT_FOUR_PI, log};
+/// // Everywhere 1/2.
+/// let z = log::clipped_samples::<16>([0.5 * ROOT_FOUR_PI, 0.0, 0.0, 0.0], 0.02);
+/// assert!((z[0] / ROOT_FOUR_PI - 0.5_f64.ln()).abs() < 1e-5);
+/// ```
 pub fn clipped_samples<const C: usize>(
     z: <[f64; C] as Routines<f64>>::Zonal,
     floor: f64,

@@ -7,10 +7,11 @@
 use crate::Path;
 use crate::accumulate::Blockers;
 use crate::drive::MAX_ORDER;
+use crate::horizon::is_below;
 use crate::ratio::{Detail, Ratios};
 use glam::Vec3;
 use rayon::prelude::*;
-use sh_scene::{Blocker, Bounds, Forest, Limits, Node, Receiver, Side, Sphere};
+use sh_scene::{Blocker, Bounds, Forest, Light, Limits, Node, Receiver, Side, Sphere};
 use std::ops::Range;
 
 /// The blockers of each cluster of receivers. Their memory is kept from frame to frame.
@@ -30,6 +31,10 @@ struct Cut {
     ratios: Ratios,
     /// None where nothing is covered.
     bounds: Option<Bounds>,
+    /// Bit i: the light's emitter i gives nothing to any receiver.
+    dark: u64,
+    /// Nodes that were left out because they are too small.
+    small: usize,
 }
 
 /// How a cut is found.
@@ -67,19 +72,66 @@ impl Cuts {
             });
     }
 
-    /// Finds the blockers of every cluster that has been measured. Clusters are spread over the threads of the current
-    /// rayon pool.
+    /// Finds the blockers of every cluster that has been measured; with a hierarchy those are left out that are
+    /// [too small to matter](Forest::is_negligible). Clusters are spread over the threads of the current rayon pool.
     ///
     /// # Panics
     /// If the order of accumulation is not 2 to 6.
     pub fn find(&mut self, path: Path, forest: &Forest, options: CutOptions) {
+        self.find_with(path, forest, options, options.limits.sin_max > 0.0);
+    }
+
+    /// As [`find`](Self::find), with those that are too small: for spheres that are lights, which may be small and
+    /// bright.
+    ///
+    /// # Panics
+    /// As [`find`](Self::find).
+    pub fn find_all(&mut self, path: Path, forest: &Forest, options: CutOptions) {
+        self.find_with(path, forest, options, false);
+    }
+
+    fn find_with(&mut self, path: Path, forest: &Forest, options: CutOptions, skip_small: bool) {
         assert!(
             (2..=MAX_ORDER).contains(&options.accumulation),
             "orders are 2 to 6"
         );
         self.cuts
             .par_iter_mut()
-            .for_each(|cut| cut.find(path, forest, options));
+            .for_each(|cut| cut.find(path, forest, options, skip_small));
+    }
+
+    /// Finds out which lamps are below the horizon of every receiver of a cluster, so that nothing is computed for them
+    /// there: those of which each receiver would get nothing, to the bit. To be called after [`find`](Self::find), which
+    /// forgets about it. Lamps beyond the 64th are always computed.
+    pub fn dim(&mut self, light: &Light) {
+        if light.emitters.is_empty() {
+            return;
+        }
+        self.cuts.par_iter_mut().for_each(|cut| {
+            let Some(bounds) = &cut.bounds else {
+                return;
+            };
+            for (i, emitter) in light.emitters.iter().enumerate().take(64) {
+                let dark = is_below(emitter, bounds, light.order);
+                cut.dark |= u64::from(dark) << i;
+            }
+        });
+    }
+
+    /// Which lamps give nothing to a cluster.
+    pub(crate) fn dark(&self, cluster: usize) -> u64 {
+        self.cuts[cluster].dark
+    }
+
+    /// How many pairs of a cluster and a lamp below its horizon there are.
+    pub fn lamps_below(&self) -> usize {
+        let dark = self.cuts.iter().map(|cut| cut.dark.count_ones() as usize);
+        dark.sum()
+    }
+
+    /// How many nodes were left out of the clusters' cuts, because they are too small to matter there.
+    pub fn too_small(&self) -> usize {
+        self.cuts.iter().map(|cut| cut.small).sum()
     }
 
     /// One cluster of so many receivers, with every sphere as a blocker that each receiver looks at itself.
@@ -117,6 +169,15 @@ impl Cuts {
         self.cuts.len()
     }
 
+    /// Bytes that all cuts take.
+    pub fn bytes(&self) -> usize {
+        let lists = |cut: &Cut| {
+            let [front, across] = cut.nodes.each_ref().map(|nodes| size_of_val(&nodes[..]));
+            size_of_val(&cut.front[..]) + size_of_val(&cut.across[..]) + front + across
+        };
+        size_of_val(&self.cuts[..]) + self.cuts.iter().map(lists).sum::<usize>()
+    }
+
     /// How many receivers there are in all clusters together.
     pub fn receivers(&self) -> usize {
         self.cuts.iter().map(|cut| cut.receivers).sum()
@@ -130,15 +191,18 @@ impl Cuts {
 }
 
 impl Cut {
-    fn find(&mut self, path: Path, forest: &Forest, options: CutOptions) {
+    fn find(&mut self, path: Path, forest: &Forest, options: CutOptions, skip_small: bool) {
         let Self {
             front,
             across,
             nodes: [nodes_front, nodes_across],
             ratios,
             bounds,
+            dark,
+            small,
             ..
         } = self;
+        (*dark, *small) = (0, 0);
         front.clear();
         across.clear();
         nodes_front.clear();
@@ -151,6 +215,10 @@ impl Cut {
         let limits = options.limits;
         forest.cut(bounds.center, bounds.radius, limits, |at| {
             let node = &nodes[at];
+            if skip_small && forest.is_negligible(at, bounds.center, bounds.radius) {
+                *small += 1;
+                return;
+            }
             let side = bounds.side(node.center.into(), node.radius);
             let (list, names, in_front) = match side {
                 Side::Behind => return,

@@ -13,13 +13,14 @@ use sh_scene::Emitter;
 const TINY: f64 = 1e-30;
 
 /// What [`crate::Outline::emitted`] computes, to be inlined there: for each light max(0, min(L · transfer,
-/// L · open)), so that what one light lacks is not taken from another.
+/// L · open)), so that what one light lacks is not taken from another. Bit i of `dark` says that light i gives 0.
 #[inline(always)]
 pub(crate) fn emitted<L: Lane, const C: usize>(
     transfer: &[L; C],
     open: &[L; C],
     position: [L; 3],
     emitters: &[Emitter],
+    dark: u64,
 ) -> [L; 3]
 where
     [L; C]: Routines<L>,
@@ -27,7 +28,10 @@ where
     let zero = position[0].lift(0.0);
     let one = zero.lift(1.0);
     let mut sum = [zero; 3];
-    for emitter in emitters {
+    for (i, emitter) in emitters.iter().enumerate() {
+        if i < 64 && dark >> i & 1 == 1 {
+            continue;
+        }
         let local = zero.lift(f64::from(-emitter.local));
         let center = |k: usize| zero.lift(f64::from(emitter.center[k]));
         let towards = each(|k| local.mul_add(position[k], center(k)));

@@ -7,13 +7,22 @@ use obvhs::cwbvh::CwBvh;
 use obvhs::cwbvh::builder::build_cwbvh;
 use obvhs::ray::{Ray, RayHit};
 use obvhs::{Boundable, BvhBuildParams};
-use sh_scene::{Object, Scene};
+use sh_scene::{Object, Scene, fingerprint};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// All triangles of a scene and a bounding volume hierarchy over them. Built once per scene.
 #[derive(Debug)]
 pub struct Geometry<'a> {
     pub(crate) scene: &'a Scene,
+    hierarchy: Arc<Hierarchy>,
+}
+
+/// What rays are cast against, kept while nothing of it moves.
+#[derive(Debug)]
+pub(crate) struct Hierarchy {
+    /// That of the triangles and transforms that it was built from.
+    fingerprint: u64,
     /// None where there is no triangle.
     hierarchy: Option<CwBvh>,
     /// What the hierarchy's coordinates are over those of the world, a power of two ([`own_scale`]).
@@ -61,73 +70,33 @@ impl Boundable for Bounds {
 impl<'a> Geometry<'a> {
     /// Gathers the triangles and builds the hierarchy. Triangles of zero area are left out.
     pub fn new(scene: &'a Scene) -> Result<Self, Error> {
-        let mut corners = Vec::new();
-        let mut sources = Vec::new();
+        Self::reusing(scene, None)
+    }
+
+    /// As [`new`](Self::new), with a hierarchy that was built before if it is of the same triangles in the same places.
+    pub(crate) fn reusing(
+        scene: &'a Scene,
+        before: Option<&Arc<Hierarchy>>,
+    ) -> Result<Self, Error> {
+        let mut fingerprint = 0_u64;
         for (index, object) in scene.objects.iter().enumerate() {
             check(object).map_err(|problem| Error::Object {
                 index,
                 name: object.name.clone(),
                 problem,
             })?;
-            let world: Vec<Vec3A> = object
-                .mesh
-                .positions
-                .iter()
-                .map(|&p| object.transform.transform_point3a(p.into()))
-                .collect();
-            for (triangle, indices) in object.mesh.triangles.iter().enumerate() {
-                let [a, b, c] = indices.map(|i| world[i as usize]);
-                let area = (b - a).cross(c - a);
-                if area != Vec3A::ZERO && area.is_finite() {
-                    corners.push([a, b, c]);
-                    sources.push(Source {
-                        object: index as u32,
-                        triangle: triangle as u32,
-                    });
-                }
-            }
+            fingerprint = fingerprint.rotate_left(7).wrapping_add(shape(object));
         }
-        if corners.is_empty() {
-            return Ok(Self {
-                scene,
-                hierarchy: None,
-                scale: 1.0,
-                corners,
-                sources,
-            });
-        }
+        let hierarchy = match before.filter(|known| known.fingerprint == fingerprint) {
+            Some(known) => Arc::clone(known),
+            None => Arc::new(Hierarchy::new(scene, fingerprint)),
+        };
+        Ok(Self { scene, hierarchy })
+    }
 
-        let reach = corners
-            .iter()
-            .flatten()
-            .fold(0.0, |reach: f32, p| reach.max(p.abs().max_element()));
-        let scale = own_scale(reach);
-        let pad = Vec3A::splat(reach * 1e-6);
-        let bounds: Vec<Bounds> = corners
-            .iter()
-            .map(|corners| {
-                let tight = Aabb::from_points(corners);
-                Bounds(Aabb {
-                    min: (tight.min - pad) * scale,
-                    max: (tight.max + pad) * scale,
-                })
-            })
-            .collect();
-        let hierarchy = build_cwbvh(
-            &bounds,
-            BvhBuildParams::medium_build(),
-            &mut Duration::default(),
-        );
-        let order = &hierarchy.primitive_indices;
-        let corners = order.iter().map(|&i| corners[i as usize]).collect();
-        let sources = order.iter().map(|&i| sources[i as usize]).collect();
-        Ok(Self {
-            scene,
-            hierarchy: Some(hierarchy),
-            scale,
-            corners,
-            sources,
-        })
+    /// What may be handed to [`reusing`](Self::reusing).
+    pub(crate) fn hierarchy(&self) -> &Arc<Hierarchy> {
+        &self.hierarchy
     }
 
     /// The nearest triangle along a ray with unit `direction`, from either side.
@@ -140,28 +109,34 @@ impl<'a> Geometry<'a> {
     /// the interpolated normal is turned round; seen from the front it is left alone even where the
     /// interpolation leans away from the viewer, as it does along silhouettes.
     pub fn cast(&self, origin: Vec3A, direction: Vec3A) -> Option<Hit> {
-        let hierarchy = self.hierarchy.as_ref()?;
+        let Hierarchy {
+            hierarchy,
+            scale,
+            corners,
+            ..
+        } = &*self.hierarchy;
+        let hierarchy = hierarchy.as_ref()?;
         let view = ViewSpace::new(origin, direction);
         let mut nearest = RayHit::none();
         // + 0 turns -0 into 0: the slab test takes the sign of a component once by comparison and once from
         // its reciprocal, and for -0 the two differ.
-        let ray = Ray::new_inf(origin * self.scale, direction + Vec3A::ZERO);
+        let ray = Ray::new_inf(origin * *scale, direction + Vec3A::ZERO);
         let found = hierarchy.ray_traverse(ray, &mut nearest, |_, id| {
-            view.meet(&self.corners[id])
-                .map_or(f32::INFINITY, |(_, distance)| distance * self.scale)
+            view.meet(&corners[id])
+                .map_or(f32::INFINITY, |(_, distance)| distance * scale)
         });
         if !found {
             return None;
         }
         let id = nearest.primitive_id as usize;
-        let (weights, distance) = view.meet(&self.corners[id])?;
+        let (weights, distance) = view.meet(&corners[id])?;
         Some(self.hit(id, weights, distance, direction))
     }
 
     /// Interpolates the vertices' attributes.
     fn hit(&self, id: usize, weights: [f32; 3], distance: f32, direction: Vec3A) -> Hit {
-        let [a, b, c] = self.corners[id];
-        let source = self.sources[id];
+        let [a, b, c] = self.hierarchy.corners[id];
+        let source = self.hierarchy.sources[id];
         let object = &self.scene.objects[source.object as usize];
         let indices = object.mesh.triangles[source.triangle as usize].map(|i| i as usize);
         let to_world: Mat3A = object.transform.matrix3;
@@ -200,6 +175,94 @@ impl<'a> Geometry<'a> {
             color,
         }
     }
+}
+
+impl Hierarchy {
+    fn new(scene: &Scene, fingerprint: u64) -> Self {
+        let mut corners = Vec::new();
+        let mut sources = Vec::new();
+        for (index, object) in scene.objects.iter().enumerate() {
+            let world: Vec<Vec3A> = object
+                .mesh
+                .positions
+                .iter()
+                .map(|&p| object.transform.transform_point3a(p.into()))
+                .collect();
+            for (triangle, indices) in object.mesh.triangles.iter().enumerate() {
+                let [a, b, c] = indices.map(|i| world[i as usize]);
+                let area = (b - a).cross(c - a);
+                if area != Vec3A::ZERO && area.is_finite() {
+                    corners.push([a, b, c]);
+                    sources.push(Source {
+                        object: index as u32,
+                        triangle: triangle as u32,
+                    });
+                }
+            }
+        }
+        if corners.is_empty() {
+            return Self {
+                fingerprint,
+                hierarchy: None,
+                scale: 1.0,
+                corners,
+                sources,
+            };
+        }
+
+        let reach = corners
+            .iter()
+            .flatten()
+            .fold(0.0, |reach: f32, p| reach.max(p.abs().max_element()));
+        let scale = own_scale(reach);
+        let pad = Vec3A::splat(reach * 1e-6);
+        let bounds: Vec<Bounds> = corners
+            .iter()
+            .map(|corners| {
+                let tight = Aabb::from_points(corners);
+                Bounds(Aabb {
+                    min: (tight.min - pad) * scale,
+                    max: (tight.max + pad) * scale,
+                })
+            })
+            .collect();
+        let hierarchy = build_cwbvh(
+            &bounds,
+            BvhBuildParams::medium_build(),
+            &mut Duration::default(),
+        );
+        let order = &hierarchy.primitive_indices;
+        let corners = order.iter().map(|&i| corners[i as usize]).collect();
+        let sources = order.iter().map(|&i| sources[i as usize]).collect();
+        Self {
+            fingerprint,
+            hierarchy: Some(hierarchy),
+            scale,
+            corners,
+            sources,
+        }
+    }
+
+    /// Bytes of triangles and nodes.
+    pub fn bytes(&self) -> usize {
+        let tree = self.hierarchy.as_ref();
+        let nodes = tree.map_or(0, |tree| {
+            size_of_val(&tree.nodes[..]) + size_of_val(&tree.primitive_indices[..])
+        });
+        nodes + size_of_val(&self.corners[..]) + size_of_val(&self.sources[..])
+    }
+}
+
+/// A fingerprint of an object's triangles and of where they stand.
+fn shape(object: &Object) -> u64 {
+    let transform = object.transform.to_cols_array().map(f32::to_bits);
+    let parts = [
+        fingerprint(bytemuck::cast_slice(&object.mesh.positions)),
+        fingerprint(object.mesh.triangles.as_flattened()),
+        fingerprint(&transform),
+    ];
+    let mixed = |all: u64, part: u64| all.rotate_left(21) ^ part;
+    parts.into_iter().fold(0, mixed)
 }
 
 /// The power of two that brings `reach`, the largest coordinate, to 8..16.

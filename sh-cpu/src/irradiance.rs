@@ -71,7 +71,7 @@ impl Kernel for Unblocked<'_> {
     {
         let lobe = <[L; C]>::cosine(normal);
         let environment = unblocked(&lobe, &self.light.coefficients);
-        with_emitters(environment, &lobe, &lobe, position, self.light)
+        with_emitters(environment, &lobe, &lobe, position, (self.light, 0))
     }
 }
 

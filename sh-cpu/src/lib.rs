@@ -9,7 +9,7 @@
 //! | `upsample` | [`upsample()`] | receivers, light at half resolution | radiance, and receivers it does not do for |
 //! | `resolve` | [`resolve()`] | all of them | pixels |
 //!
-//! [`render`] strings a plan together and makes a picture. Each pass can be called by itself: receivers may as
+//! [`render`] strings a plan together and makes a picture, [`Frames`] one after the other. Each pass can be called by itself: receivers may as
 //! well be the vertices of a mesh.
 //!
 //! Lanes ([`lanes`]) are chosen when the program runs ([`Path::best`]). Work goes to the current rayon pool.
@@ -36,6 +36,7 @@ mod error;
 mod frame;
 mod gbuffer;
 mod geometry;
+mod horizon;
 mod irradiance;
 pub mod lanes;
 mod light_cut;
@@ -52,7 +53,7 @@ mod upsample;
 pub use accumulate::Blockers;
 pub use cut::{CutOptions, Cuts};
 pub use error::{Error, MAX_SIDE};
-pub use frame::{Frame, render};
+pub use frame::{Frame, Frames, Work, render};
 pub use gbuffer::{Gbuffer, gbuffer};
 pub use geometry::{Geometry, Hit};
 pub use irradiance::{irradiance, irradiance_on};

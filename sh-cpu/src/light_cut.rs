@@ -5,8 +5,10 @@
 //! right, has no cycles, and where it swaps, for a receiver on that plane, neither sphere covers any of the other:
 //! nothing jumps. Guerrero et al. 2008 go by the distance of centres instead, of spheres or of whole bodies, which can
 //! be wrong for both (section 8.4). Spheres of different bodies that intersect change their order gradually, over the
-//! width of the circle in which they cut each other. Spheres of one body that intersect do not hide each other: what one
-//! hides of the other was left out when its surface was sampled (section 4.2).
+//! width of the circle in which they cut each other. So do those of one body where lights are discs
+//! ([`Blocking::within_bodies`]): each hides half of the lens in which both are seen from afar, and together they send on
+//! what their union does. Otherwise they do not hide each other: what one hides of the other is dark in its samples
+//! (section 4.2).
 //!
 //! A node of the forest that stands for several spheres gives each cluster what these give together: its *reflection
 //! ratio* (equation 25) brings its light, seen from the middle of the cluster, to the sum of theirs, channel by channel.
@@ -24,6 +26,7 @@ use crate::cut::{CutOptions, Cuts};
 use crate::{Path, SphericalLights};
 use glam::Vec3;
 use rayon::prelude::*;
+use sh_scene::order::{SHARPEST, swap_width};
 use sh_scene::{Blocker, Blocking, Bounds, Forest, Receiver};
 use std::ops::Range;
 
@@ -87,9 +90,6 @@ pub(crate) const NEVER: f32 = 0.0;
 /// It hides all that it covers. Between the two, the share that it hides is ½ plus this times the difference of powers.
 pub(crate) const ALWAYS: f32 = f32::INFINITY;
 
-/// The least width over which an order changes, over the radius of the smaller sphere.
-const SHARPEST: f32 = 0.01;
-
 impl LightCuts {
     /// Finds the spheres that light every cluster of `receivers`, and their order.
     ///
@@ -109,7 +109,7 @@ impl LightCuts {
             ratios: options.cut.ratios && options.blocking != Blocking::Discs,
             ..options.cut
         };
-        self.cuts.find(path, forest, cut);
+        self.cuts.find_all(path, forest, cut);
         self.orders.resize_with(clusters.len(), LightCut::default);
         self.blocking = options.blocking;
         let cuts = &self.cuts;
@@ -233,7 +233,8 @@ impl LightCut {
                 let pair = [&spheres[i], &spheres[j]];
                 let hidden = match blocking {
                     Blocking::Object => by_bodies(pair, bounds.center, forest, lights),
-                    _ => by_spheres(pair, bounds.radius, lights),
+                    _ if joint(pair, lights) => [NEVER; 2],
+                    _ => by_spheres(pair, bounds.radius),
                 };
                 [before[j * count + i], before[i * count + j]] = hidden;
                 if hidden[0] != ALWAYS || blocking == Blocking::Sphere {
@@ -269,28 +270,30 @@ impl LightCut {
             }
         }));
         for i in 0..spheres.len() {
-            if lights.shines(spheres[i].node) {
-                let own = caps[i];
-                for (j, other) in spheres.iter().enumerate() {
-                    let cap = caps[j];
-                    // A cluster that reaches into a sphere may see it anywhere. The sum of both angles may be over 90°.
-                    let apart = own.sine < 1.0
-                        && cap.sine < 1.0
-                        && own.axis.dot(cap.axis) < own.cosine * cap.cosine - own.sine * cap.sine;
-                    if i == j || apart {
-                        continue;
-                    }
-                    let share = if i < j {
-                        by_spheres([&spheres[i], other], bounds.radius, lights)[1]
-                    } else {
-                        by_spheres([other, &spheres[i]], bounds.radius, lights)[0]
-                    };
-                    if share != NEVER {
-                        hiders.push(Hider {
-                            sphere: j as u32,
-                            share,
-                        });
-                    }
+            let own = caps[i];
+            for (j, other) in spheres.iter().enumerate() {
+                let cap = caps[j];
+                // A cluster that reaches into a sphere may see it anywhere. The sum of both angles may be over 90°.
+                let apart = own.sine < 1.0
+                    && cap.sine < 1.0
+                    && own.axis.dot(cap.axis) < own.cosine * cap.cosine - own.sine * cap.sine;
+                if i == j || apart {
+                    continue;
+                }
+                // A sphere without samples lies inside of its body, and is not seen.
+                if !lights.shines(other.node) && joint([&spheres[i], other], lights) {
+                    continue;
+                }
+                let share = if i < j {
+                    by_spheres([&spheres[i], other], bounds.radius)[1]
+                } else {
+                    by_spheres([other, &spheres[i]], bounds.radius)[0]
+                };
+                if share != NEVER {
+                    hiders.push(Hider {
+                        sphere: j as u32,
+                        share,
+                    });
                 }
             }
             spheres[i].hiders_end = hiders.len() as u32;
@@ -302,8 +305,8 @@ impl LightCut {
 const MOST_GAIN: f32 = 4.0;
 
 /// The reflection ratio of a node whose disc has this radius: what the spheres below it give to `from`, each by the square
-/// of its disc's sine and none hiding another, over what the node gives in their place. 1 for a sphere, and where there
-/// is nothing to be brought to anything.
+/// of its disc's sine and as much of it as its body leaves to be seen from there, over what the node gives in their place. 1 for
+/// a sphere, and where there is nothing to be brought to anything.
 fn gain(from: Vec3, at: usize, radius: f32, forest: &Forest, lights: &SphericalLights) -> [f32; 3] {
     let node = &forest.nodes()[at];
     if node.is_leaf(at) || !lights.shines(at as u32) {
@@ -327,8 +330,10 @@ fn gain(from: Vec3, at: usize, radius: f32, forest: &Forest, lights: &SphericalL
         .skip(at + 1)
     {
         if leaf.is_leaf(at) {
+            let towards = from - Vec3::from(leaf.center);
+            let exposed = lights.exposed(at as u32, towards.normalize_or(Vec3::Y));
             for (sum, given) in sum.iter_mut().zip(given(at, leaf.radius)) {
-                *sum += given;
+                *sum += exposed * given;
             }
         }
     }
@@ -347,8 +352,16 @@ fn power(from: Vec3, center: Vec3, radius: f32) -> f32 {
     center.distance_squared(from) - radius * radius
 }
 
+/// Whether two are spheres of one body that intersect.
+fn joint(pair: [&Met; 2], lights: &SphericalLights) -> bool {
+    let [a, b] = pair.map(|met| lights.body(met.node));
+    let [p, q] = pair.map(|met| met.blocker);
+    let reach = p.radius + q.radius;
+    a == b && a.is_some() && Vec3::from(p.center).distance_squared(q.center.into()) < reach * reach
+}
+
 /// What the nearer of a pair hides of the other, and the other of it, for receivers within `radius`.
-fn by_spheres([near, far]: [&Met; 2], radius: f32, lights: &SphericalLights) -> [f32; 2] {
+fn by_spheres([near, far]: [&Met; 2], radius: f32) -> [f32; 2] {
     let centers = [near, far].map(|met| Vec3::from(met.blocker.center));
     let [a, b] = [near.blocker.radius, far.blocker.radius];
     // Twice the distance of the cluster's centre from the plane of equal power, times that of the centres.
@@ -361,21 +374,7 @@ fn by_spheres([near, far]: [&Met; 2], radius: f32, lights: &SphericalLights) -> 
         return [ALWAYS, NEVER];
     }
     let distance = square.sqrt();
-    let intersect = distance < a + b;
-    let same = lights.body(near.node) == lights.body(far.node) && lights.body(near.node).is_some();
-    if intersect && same {
-        return [NEVER, NEVER];
-    }
-    // The radius of the circle in which they cut each other.
-    let circle = if !intersect {
-        0.0
-    } else if distance <= (a - b).abs() {
-        smaller
-    } else {
-        let along = (distance * distance + a * a - b * b) / (2.0 * distance);
-        (a * a - along * along).max(0.0).sqrt()
-    };
-    let width = circle.max(SHARPEST * smaller);
+    let width = swap_width(a, b, distance);
     let twice = 2.0 * distance;
     if difference >= twice * (radius + width) {
         return [ALWAYS, NEVER];
@@ -392,15 +391,12 @@ fn by_bodies(
     lights: &SphericalLights,
 ) -> [f32; 2] {
     let [a, b] = [near, far].map(|met| lights.body(met.node));
-    let touch = {
-        let [p, q] = [near, far].map(|met| Vec3::from(met.blocker.center));
-        p.distance(q) < near.blocker.radius + far.blocker.radius
-    };
     let (Some(a), Some(b)) = (a, b) else {
         return [ALWAYS, NEVER];
     };
     if a == b {
-        return if touch { [NEVER; 2] } else { [ALWAYS, NEVER] };
+        let joint = joint([near, far], lights);
+        return if joint { [NEVER; 2] } else { [ALWAYS, NEVER] };
     }
     let whole = |body: u32| {
         let node = &forest.nodes()[lights.root(body) as usize];

@@ -16,8 +16,8 @@ use crate::light_gather::{LightGather, light_gather};
 use crate::shadow::{Shadow, shadow_clusters};
 use crate::{CutOptions, Cuts, Error, Path};
 use glam::{Affine3A, Quat, Vec3};
-use sh_core::Routines;
-use sh_scene::surface::{SurfaceSamples, cell_sums};
+use sh_core::{ROOT_FOUR_PI, Routines};
+use sh_scene::surface::{DIRECTIONS, SurfaceSamples, cell_sums};
 use sh_scene::{Forest, Indirect, Light, Limits, Object, Receiver};
 use std::ops::Range;
 
@@ -69,6 +69,9 @@ pub struct SphericalLights {
     roots: Vec<u32>,
     /// The node of each sphere.
     leaves: Vec<u32>,
+    /// How much of each sphere its body's other spheres leave to be seen ([`SurfaceSamples::exposed`]): `order²`
+    /// coefficients a node, in world space.
+    exposed: Vec<f32>,
     points: Points,
     light_cuts: LightCuts,
 }
@@ -95,6 +98,13 @@ impl SphericalLights {
     pub fn emission(&self, node: u32) -> &[[f32; 3]] {
         let count = self.order * self.order;
         &self.emission[node as usize * count..][..count]
+    }
+
+    /// Bytes of what nodes emit and of the points that light them.
+    pub(crate) fn bytes(&self) -> usize {
+        let emitted = size_of_val(&self.emission[..]) + size_of_val(&self.brightest[..]);
+        let lit = 2 * size_of_val(&self.points.direct[..]);
+        emitted + size_of_val(&self.points.receivers[..]) + lit
     }
 
     /// No part of any surface sends on more radiance than this.
@@ -126,6 +136,20 @@ impl SphericalLights {
         let mean = reflected(&weights, self.emission(node));
         let most = self.brightest_of(node);
         std::array::from_fn(|c| mean[c].max(0.0).min(most[c]))
+    }
+
+    /// How much of a sphere its body's other spheres leave to be seen from a direction; `node` is a leaf.
+    pub(crate) fn exposed(&self, node: u32, from: Vec3) -> f32 {
+        let count = self.order * self.order;
+        let own = &self.exposed[node as usize * count..][..count];
+        let share = match self.order {
+            2 => share_in::<4>(own, from),
+            3 => share_in::<9>(own, from),
+            4 => share_in::<16>(own, from),
+            5 => share_in::<25>(own, from),
+            _ => share_in::<36>(own, from),
+        };
+        share.clamp(0.0, 1.0)
     }
 
     /// Whether a node emits anything.
@@ -173,7 +197,8 @@ impl SphericalLights {
             accumulation: update.accumulation,
         };
         self.points.shade(path, forest, light, cut)?;
-        self.emit(bodies.clone(), forest)?;
+        let within_bodies = update.indirect.blocking.within_bodies();
+        self.emit(bodies.clone(), forest, within_bodies)?;
         for _ in 1..update.indirect.bounces {
             let mut cuts = std::mem::take(&mut self.light_cuts);
             let mut points = std::mem::take(&mut self.points);
@@ -199,7 +224,7 @@ impl SphericalLights {
             let gathered = light_gather(path, receivers, &gather, indirect);
             (self.light_cuts, self.points) = (cuts, points);
             gathered?;
-            self.emit(bodies.clone(), forest)?;
+            self.emit(bodies.clone(), forest, within_bodies)?;
         }
         Ok(())
     }
@@ -227,10 +252,13 @@ impl SphericalLights {
             let radiance = bodies.get(body as usize).map_or(lights.most, |body| body.1);
             lights
                 .emission
-                .push(radiance.map(|c| c * sh_core::ROOT_FOUR_PI as f32));
+                .push(radiance.map(|c| c * ROOT_FOUR_PI as f32));
             let rest = std::iter::repeat_n([0.0; 3], order * order - 1);
             lights.emission.extend(rest);
             lights.brightest.push(radiance);
+            lights.exposed.push(ROOT_FOUR_PI as f32);
+            let rest = std::iter::repeat_n(0.0, order * order - 1);
+            lights.exposed.extend(rest);
         }
         lights
     }
@@ -277,13 +305,14 @@ impl SphericalLights {
         &mut self,
         bodies: impl IntoIterator<Item = Body<'a>>,
         forest: &Forest,
+        within_bodies: bool,
     ) -> Result<(), Error> {
         match self.order {
-            2 => self.emit_in::<4>(bodies, forest),
-            3 => self.emit_in::<9>(bodies, forest),
-            4 => self.emit_in::<16>(bodies, forest),
-            5 => self.emit_in::<25>(bodies, forest),
-            6 => self.emit_in::<36>(bodies, forest),
+            2 => self.emit_in::<4>(bodies, forest, within_bodies),
+            3 => self.emit_in::<9>(bodies, forest, within_bodies),
+            4 => self.emit_in::<16>(bodies, forest, within_bodies),
+            5 => self.emit_in::<25>(bodies, forest, within_bodies),
+            6 => self.emit_in::<36>(bodies, forest, within_bodies),
             order => return Err(Error::Order { order }),
         }
         Ok(())
@@ -293,6 +322,7 @@ impl SphericalLights {
         &mut self,
         bodies: impl IntoIterator<Item = Body<'a>>,
         forest: &Forest,
+        within_bodies: bool,
     ) where
         [f32; C]: Routines<f32>,
     {
@@ -303,11 +333,14 @@ impl SphericalLights {
             brightest,
             most,
             leaves,
+            exposed,
             points,
             ..
         } = self;
         emission.clear();
         emission.resize(nodes.len() * C, [0.0; 3]);
+        exposed.clear();
+        exposed.resize(nodes.len() * C, 0.0);
         brightest.clear();
         brightest.resize(nodes.len(), [0.0; 3]);
         // Sphere by sphere, in object space first.
@@ -318,15 +351,27 @@ impl SphericalLights {
             for sphere in 0..body.spheres {
                 let mut vector = [[0.0; C]; 3];
                 let mut top = [0.0_f32; 3];
-                for (point, (direct, indirect)) in body.surface.of(sphere).iter().zip(&mut lit) {
-                    let cell = &sums[point.direction as usize % sums.len()];
-                    let lit = direct.iter().zip(indirect).map(|(d, i)| d + i);
-                    let channels = vector.iter_mut().zip(&mut top);
-                    for ((lit, albedo), (vector, top)) in lit.zip(point.albedo).zip(channels) {
-                        let sent = albedo.clamp(0.0, 1.0) * lit;
-                        // An albedo that is no number counts as black.
-                        let sent = if sent > 0.0 { sent } else { 0.0 };
+                // What each of its points sends on.
+                let mut sent = [[0.0_f32; 3]; DIRECTIONS];
+                let points = body.surface.of(sphere).iter().zip(&mut lit);
+                for (i, (point, (direct, indirect))) in points.enumerate() {
+                    let reflected = point.reflectance(within_bodies);
+                    let of_point: [f32; 3] = std::array::from_fn(|k| {
+                        (reflected[k] * (direct[k] + indirect[k])).max(0.0)
+                    });
+                    for (top, sent) in top.iter_mut().zip(of_point) {
                         *top = top.max(sent);
+                    }
+                    if let Some(sent) = sent.get_mut(i) {
+                        *sent = of_point;
+                    }
+                }
+                let stands = body.surface.stands(sphere, within_bodies);
+                for (cell, point) in sums.iter().zip(stands) {
+                    let Some(sent) = sent.get(usize::from(point)) else {
+                        continue;
+                    };
+                    for (vector, sent) in vector.iter_mut().zip(sent) {
                         for (v, y) in vector.iter_mut().zip(cell) {
                             *v += sent * y;
                         }
@@ -339,6 +384,16 @@ impl SphericalLights {
                 let Some(node) = next.next().map(|&node| node as usize) else {
                     continue;
                 };
+                let mut seen = [0.0; C];
+                if within_bodies {
+                    let all = body.surface.exposed(sphere);
+                    for (seen, c) in seen.iter_mut().zip(all) {
+                        *seen = c;
+                    }
+                } else {
+                    seen[0] = ROOT_FOUR_PI as f32;
+                }
+                exposed[node * C..][..C].copy_from_slice(&seen.rotate(turn));
                 brightest[node] = top;
                 for (i, out) in emission[node * C..][..C].iter_mut().enumerate() {
                     *out = [red[i], green[i], blue[i]];
@@ -354,7 +409,12 @@ impl SphericalLights {
             let mut child = at + 1;
             while child < node.skip as usize {
                 let share = if node.area > 0.0 {
-                    nodes[child].area / node.area
+                    // In the mean over all directions.
+                    let seen = match nodes[child].is_leaf(child) {
+                        true => exposed[child * C] / ROOT_FOUR_PI as f32,
+                        false => 1.0,
+                    };
+                    nodes[child].area / node.area * seen
                 } else {
                     0.0
                 };
@@ -372,6 +432,14 @@ impl SphericalLights {
         }
         *most = brightest.first().copied().unwrap_or_default();
     }
+}
+
+fn share_in<const C: usize>(coefficients: &[f32], from: Vec3) -> f32
+where
+    [f32; C]: Routines<f32>,
+{
+    let basis = <[f32; C]>::basis(from.to_array());
+    basis.iter().zip(coefficients).map(|(y, c)| y * c).sum()
 }
 
 impl Points {

@@ -42,12 +42,13 @@ where
     fn product_cosine(f: &[Self; C], normal: [Self; 3]) -> [Self; C];
 
     /// Radiance in three channels that `emitters` give through `transfer`, each between 0 and what it gives through
-    /// `open`.
+    /// `open`. Bit i of `dark` says that emitter i gives nothing.
     fn emitted(
         transfer: &[Self; C],
         open: &[Self; C],
         position: [Self; 3],
         emitters: &[Emitter],
+        dark: u64,
     ) -> [Self; 3];
 
     /// Radiance in three channels that a cut's spheres send on, whose visibilities are those of discs.
@@ -122,11 +123,12 @@ macro_rules! routines {
             open: &[Self; $c],
             position: [Self; 3],
             emitters: &[Emitter],
+            dark: u64,
         ) -> [Self; 3] {
             $enter(
                 position[0],
                 #[inline(always)]
-                || emitted(transfer, open, position, emitters),
+                || emitted(transfer, open, position, emitters, dark),
             )
         }
 

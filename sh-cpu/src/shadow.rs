@@ -214,7 +214,7 @@ impl Kernel for Shadow<'_> {
             position,
             normal,
             blockers,
-            self.light,
+            (self.light, self.cuts.dark(place.cluster)),
             self.accumulation,
             start,
         )
@@ -222,13 +222,13 @@ impl Kernel for Shadow<'_> {
 }
 
 /// Radiance of albedo 1 in three channels, for one group of receivers under light of `C` coefficients;
-/// `accumulation` as in [`Shadow`]. `start` tells the coefficients that the sum of logarithms starts with; none: 0.
+/// `accumulation` as in [`Shadow`]. Bit i of `dark` says that the light's emitter i gives nothing. `start` tells the coefficients that the sum of logarithms starts with; none: 0.
 #[inline(always)]
 pub fn shade<L: OutlineAll + Outline<C>, const C: usize>(
     position: [L; 3],
     normal: [L; 3],
     blockers: Blockers,
-    light: &Light,
+    (light, dark): (&Light, u64),
     accumulation: usize,
     start: Option<impl Fn(usize) -> L>,
 ) -> [L; 3]
@@ -251,7 +251,7 @@ where
     // What is not a number fails the comparison.
     let channel = |c: usize| L::select(zero.lt(shadowed[c]), shadowed[c].min(open[c]), zero);
     let environment = [channel(0), channel(1), channel(2)];
-    with_emitters(environment, &transfer, &lobe, position, light)
+    with_emitters(environment, &transfer, &lobe, position, (light, dark))
 }
 
 /// The environment's radiance plus that of the analytic lights.
@@ -261,7 +261,7 @@ pub(crate) fn with_emitters<L: Outline<C>, const C: usize>(
     transfer: &[L; C],
     lobe: &[L; C],
     position: [L; 3],
-    light: &Light,
+    (light, dark): (&Light, u64),
 ) -> [L; 3]
 where
     [L; C]: Routines<L>,
@@ -270,7 +270,7 @@ where
         return environment;
     }
     let [r, g, b] = environment;
-    let [red, green, blue] = L::emitted(transfer, lobe, position, &light.emitters);
+    let [red, green, blue] = L::emitted(transfer, lobe, position, &light.emitters, dark);
     [r + red, g + green, b + blue]
 }
 

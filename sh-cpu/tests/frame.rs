@@ -50,14 +50,7 @@ fn a_ball_casts_a_shadow_on_the_ground() {
     );
     assert_eq!(
         names(&open),
-        [
-            "hierarchy",
-            "light",
-            "forest",
-            "gbuffer",
-            "irradiance",
-            "resolve"
-        ]
+        ["hierarchy", "light", "gbuffer", "irradiance", "resolve"]
     );
 
     let at = |frame: &Frame, x: usize, y: usize| frame.pixels[y * 64 + x][1];

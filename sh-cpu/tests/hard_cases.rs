@@ -37,7 +37,15 @@ fn in_f64(
             front: &[],
             across: &across,
         };
-        shade::<f64, C>(p, n, blockers, l, accumulation, None::<fn(usize) -> f64>).map(|x| x as f32)
+        shade::<f64, C>(
+            p,
+            n,
+            blockers,
+            (l, 0),
+            accumulation,
+            None::<fn(usize) -> f64>,
+        )
+        .map(|x| x as f32)
     }
     receivers
         .iter()

@@ -62,7 +62,7 @@ fn in_f64(receiver: &Receiver, spheres: &[Sphere], light: &Light, accumulation: 
             p,
             n,
             blockers,
-            light,
+            (light, 0),
             accumulation,
             None::<fn(usize) -> f64>,
         )

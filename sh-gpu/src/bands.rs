@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::records::Band;
+use crate::upload::{Kept, Known};
 use glam::{Mat4, Vec3, Vec4};
 use sh_scene::{Grid, Ground, Tiles, View, upsample};
 use std::ops::Range;
@@ -21,6 +22,16 @@ const NEAR: f32 = 1e-4;
 /// The bands of a grid through a picture of a given size, top to bottom, and their records on the GPU.
 ///
 /// What passes store of a band are whole tiles ([`Tiles`]), filled up with receivers that are not covered.
+///
+/// ```no_run
+/// # fn bands(device: &wgpu::Device, view: &sh_scene::View) -> Result<(), sh_gpu::Error> {
+/// let bands = sh_gpu::Bands::new(device, view, view.samples(), sh_gpu::Bands::MAX_SAMPLES)?;
+/// for band in 0..bands.count() {
+///     println!("{} rows, {} receivers", bands.rows(band), bands.receivers(band));
+/// }
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct Bands {
     /// Only the size matters.
@@ -29,6 +40,8 @@ pub struct Bands {
     /// Rows of all bands but the last.
     rows: u32,
     buffer: Buffer,
+    kept: Kept<Vec<u8>>,
+    known: Known,
 }
 
 impl Bands {
@@ -79,7 +92,19 @@ impl Bands {
             grid,
             rows,
             buffer,
+            kept: Kept::default(),
+            known: Known::default(),
         })
+    }
+
+    /// Bytes of GPU memory: 256 a band.
+    pub fn bytes(&self) -> u64 {
+        self.buffer.size()
+    }
+
+    /// Bytes that have been uploaded since they were made.
+    pub(crate) fn uploaded(&self) -> u64 {
+        self.known.written()
     }
 
     /// How many bands there are.
@@ -141,14 +166,17 @@ impl Bands {
     /// Uploads camera and ground for what is submitted next. The view must have the size the bands were
     /// made for.
     pub fn prepare(&self, queue: &Queue, view: &View, ground: Option<Ground>) -> Result<(), Error> {
-        let mut bytes = vec![0; self.buffer.size() as usize];
-        for band in 0..self.count() {
-            let record = self.camera(view, ground, band)?;
-            let at = band as usize * STRIDE as usize;
-            bytes[at..at + size_of::<Band>()].copy_from_slice(bytemuck::bytes_of(&record));
-        }
-        queue.write_buffer(&self.buffer, 0, &bytes);
-        Ok(())
+        self.kept.with(|bytes| {
+            bytes.clear();
+            bytes.resize(self.buffer.size() as usize, 0);
+            for band in 0..self.count() {
+                let record = self.camera(view, ground, band)?;
+                let at = band as usize * STRIDE as usize;
+                bytes[at..at + size_of::<Band>()].copy_from_slice(bytemuck::bytes_of(&record));
+            }
+            self.known.write(queue, &self.buffer, bytes);
+            Ok(())
+        })
     }
 
     /// The camera of one band, for a host that draws into it itself

@@ -1,11 +1,13 @@
 //! The scene's bodies on the GPU: vertices, textures, and where each body stands.
 
 use crate::Error;
-use crate::pipeline::{buffer_entry, texture_entry};
+use crate::pipeline::{buffer_entry, texture_bytes, texture_entry};
 use crate::records::{Body, Vertex};
+use crate::scope::checked;
+use crate::upload::{Kept, Known, filled};
 use glam::Mat4;
 use sh_scene::{Mesh, Object, Scene, Texture};
-use wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
+use wgpu::util::{DeviceExt, TextureDataOrder};
 use wgpu::{
     BindGroup, BindGroupLayout, Buffer, BufferUsages, Device, Queue, RenderPass, ShaderStages,
 };
@@ -20,13 +22,27 @@ struct Drawn {
     indices: Buffer,
     count: u32,
     group: BindGroup,
+    /// Bytes of the texture.
+    texture: u64,
 }
 
 /// The bodies of a scene, uploaded once; where they stand and their albedo may change every frame.
+///
+/// ```no_run
+/// # fn bodies(device: &wgpu::Device, queue: &wgpu::Queue, scene: &sh_scene::Scene) -> Result<(), sh_gpu::Error> {
+/// let bodies = sh_gpu::Bodies::new(device, queue, scene)?;
+/// // every frame
+/// bodies.prepare(queue, scene)?;
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct Bodies {
     drawn: Vec<Drawn>,
     records: Buffer,
+    kept: Kept<Vec<u8>>,
+    known: Known,
+    kept_vertices: Kept<Vec<Vertex>>,
 }
 
 impl Bodies {
@@ -39,22 +55,46 @@ impl Bodies {
                 problem,
             })?;
         }
-        let layout = Self::layout(device);
-        let size = (scene.objects.len() as u64).max(1) * STRIDE;
-        let most = device.limits().max_buffer_size;
-        Error::within("the bodies' records", size, "max_buffer_size", most)?;
-        let records = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("gaunt bodies"),
-            size,
-            usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        let drawn = scene
-            .objects
-            .iter()
-            .map(|o| upload(device, queue, o, &layout, &records))
-            .collect();
-        Ok(Self { drawn, records })
+        checked(device, || {
+            let layout = Self::layout(device);
+            let size = (scene.objects.len() as u64).max(1) * STRIDE;
+            let most = device.limits().max_buffer_size;
+            Error::within("the bodies' records", size, "max_buffer_size", most)?;
+            let records = device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("gaunt bodies"),
+                size,
+                usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            });
+            let drawn = scene
+                .objects
+                .iter()
+                .map(|o| upload(device, queue, o, &layout, &records))
+                .collect::<Result<_, _>>()?;
+            Ok(Self {
+                drawn,
+                records,
+                kept: Kept::default(),
+                known: Known::default(),
+                kept_vertices: Kept::default(),
+            })
+        })
+    }
+
+    /// Bytes of GPU memory: vertices, triangles, textures and a record each.
+    pub fn bytes(&self) -> u64 {
+        let of = |body: &Drawn| body.vertices.size() + body.indices.size() + body.texture;
+        self.records.size() + self.drawn.iter().map(of).sum::<u64>()
+    }
+
+    /// Bytes of records that have been uploaded since they were made.
+    pub(crate) fn uploaded(&self) -> u64 {
+        self.known.written()
+    }
+
+    /// How many are drawn.
+    pub(crate) fn drawn(&self) -> usize {
+        self.drawn.iter().filter(|body| body.count > 0).count()
     }
 
     /// Uploads where the bodies stand and how they reflect, for what is submitted next. `scene` must hold
@@ -64,17 +104,20 @@ impl Bodies {
         if count != uploaded {
             return Err(Error::Objects { count, uploaded });
         }
-        let mut bytes = vec![0; self.records.size() as usize];
-        for (index, object) in scene.objects.iter().enumerate() {
-            let record = Body {
-                world_from_object: Mat4::from(object.transform),
-                albedo: object.material.albedo.into(),
-                object: index as u32,
-            };
-            let at = index * STRIDE as usize;
-            bytes[at..at + size_of::<Body>()].copy_from_slice(bytemuck::bytes_of(&record));
-        }
-        queue.write_buffer(&self.records, 0, &bytes);
+        self.kept.with(|bytes| {
+            bytes.clear();
+            bytes.resize(self.records.size() as usize, 0);
+            for (index, object) in scene.objects.iter().enumerate() {
+                let record = Body {
+                    world_from_object: Mat4::from(object.transform),
+                    albedo: object.material.albedo.into(),
+                    object: index as u32,
+                };
+                let at = index * STRIDE as usize;
+                bytes[at..at + size_of::<Body>()].copy_from_slice(bytemuck::bytes_of(&record));
+            }
+            self.known.write(queue, &self.records, bytes);
+        });
         Ok(())
     }
 
@@ -86,17 +129,17 @@ impl Bodies {
             return Err(Error::Objects { count, uploaded });
         }
         for (index, (object, drawn)) in scene.objects.iter().zip(&self.drawn).enumerate() {
-            let vertices = vertices(&object.mesh);
-            let bytes: &[u8] = bytemuck::cast_slice(&vertices);
+            let count = object.mesh.positions.len();
             let known = drawn.vertices.size() / size_of::<Vertex>() as u64;
-            if bytes.len() as u64 != drawn.vertices.size() {
+            if count as u64 != known {
                 return Err(Error::Object {
                     index,
                     name: object.name.clone(),
-                    problem: format!("has {} vertices, but {known} were uploaded", vertices.len()),
+                    problem: format!("has {count} vertices, but {known} were uploaded"),
                 });
             }
-            queue.write_buffer(&drawn.vertices, 0, bytes);
+            let all = vertices(&object.mesh);
+            self.kept_vertices.upload(queue, &drawn.vertices, all);
         }
         Ok(())
     }
@@ -193,16 +236,14 @@ fn check(device: &Device, object: &Object) -> Result<(), String> {
 }
 
 /// A mesh's vertices as the GPU reads them.
-fn vertices(mesh: &Mesh) -> Vec<Vertex> {
+fn vertices(mesh: &Mesh) -> impl Iterator<Item = Vertex> + '_ {
     let vertices = mesh.positions.iter().zip(&mesh.normals).enumerate();
-    vertices
-        .map(|(i, (position, normal))| Vertex {
-            position: *position,
-            normal: *normal,
-            uv: mesh.uvs.get(i).copied().unwrap_or_default(),
-            color: mesh.colors.get(i).copied().unwrap_or([1.0; 3]),
-        })
-        .collect()
+    vertices.map(|(i, (position, normal))| Vertex {
+        position: *position,
+        normal: *normal,
+        uv: mesh.uvs.get(i).copied().unwrap_or_default(),
+        color: mesh.colors.get(i).copied().unwrap_or([1.0; 3]),
+    })
 }
 
 fn upload(
@@ -211,17 +252,11 @@ fn upload(
     object: &Object,
     layout: &BindGroupLayout,
     records: &Buffer,
-) -> Drawn {
+) -> Result<Drawn, Error> {
     let mesh = &object.mesh;
     let label = format!("gaunt body {}", object.name);
-    let vertices = vertices(mesh);
-    let buffer = |contents: &[u8], usage| {
-        device.create_buffer_init(&BufferInitDescriptor {
-            label: Some(&label),
-            contents,
-            usage,
-        })
-    };
+    let vertices: Vec<Vertex> = vertices(mesh).collect();
+    let buffer = |contents: &[u8], usage| filled(device, &label, contents, usage);
     let white = Texture {
         width: 1,
         height: 1,
@@ -248,15 +283,16 @@ fn upload(
             },
         ],
     });
-    Drawn {
+    Ok(Drawn {
         vertices: buffer(
             bytemuck::cast_slice(&vertices),
             BufferUsages::VERTEX | BufferUsages::COPY_DST,
-        ),
-        indices: buffer(bytemuck::cast_slice(&mesh.triangles), BufferUsages::INDEX),
+        )?,
+        indices: buffer(bytemuck::cast_slice(&mesh.triangles), BufferUsages::INDEX)?,
         count: mesh.triangles.len() as u32 * 3,
+        texture: texture_bytes(view.texture()),
         group,
-    }
+    })
 }
 
 fn base_color(device: &Device, queue: &Queue, label: &str, texture: &Texture) -> wgpu::TextureView {
@@ -281,5 +317,8 @@ fn base_color(device: &Device, queue: &Queue, label: &str, texture: &Texture) ->
             TextureDataOrder::LayerMajor,
             &texture.rgba,
         )
-        .create_view(&Default::default())
+        .create_view(&wgpu::TextureViewDescriptor {
+            label: Some(label),
+            ..Default::default()
+        })
 }

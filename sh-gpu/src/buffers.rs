@@ -1,5 +1,6 @@
 //! What the passes of a frame hand each other.
 
+use crate::scope::checked;
 use crate::{Bands, Error, HalfBinding};
 use sh_scene::{Receiver, Tiles};
 use wgpu::{Buffer, BufferBinding, BufferSize, BufferUsages, Device};
@@ -50,27 +51,45 @@ impl Buffers {
         // Nobody reads the albedo at half resolution, but it is written.
         let widest = samples.max(halves.map_or(0, |halves| halves.receivers(0)));
         let all = |bands: &Bands, of: &dyn Fn(u32) -> u64| (0..bands.count()).map(of).sum::<u64>();
-        let halves = match halves {
-            Some(bands) => {
-                let count = all(bands, &|band| bands.receivers(band));
-                let name = "light that is sent, at half resolution";
-                let sent = sent.then(|| buffer(name, count * COLOR, BufferUsages::COPY_DST));
-                Some(Half {
-                    receivers: buffer("receivers at half resolution", count * RECEIVER, none)?,
-                    radiance: buffer("radiance at half resolution", count * COLOR, none)?,
-                    sent: sent.transpose()?,
-                })
-            }
-            None => None,
-        };
-        let pixels = all(bands, &|band| bands.picture_range(band).1);
-        Ok(Self {
-            receivers: buffer("receivers", samples * RECEIVER, none)?,
-            albedo: buffer("albedo", widest * COLOR, none)?,
-            radiance: buffer("radiance", samples * COLOR, none)?,
-            halves,
-            picture: buffer("picture", pixels, BufferUsages::COPY_SRC)?,
+        checked(device, || {
+            let halves = match halves {
+                Some(bands) => {
+                    let count = all(bands, &|band| bands.receivers(band));
+                    let name = "light that is sent, at half resolution";
+                    let sent = sent.then(|| buffer(name, count * COLOR, BufferUsages::COPY_DST));
+                    Some(Half {
+                        receivers: buffer("receivers at half resolution", count * RECEIVER, none)?,
+                        radiance: buffer("radiance at half resolution", count * COLOR, none)?,
+                        sent: sent.transpose()?,
+                    })
+                }
+                None => None,
+            };
+            let pixels = all(bands, &|band| bands.picture_range(band).1);
+            Ok(Self {
+                receivers: buffer("receivers", samples * RECEIVER, none)?,
+                albedo: buffer("albedo", widest * COLOR, none)?,
+                radiance: buffer("radiance", samples * COLOR, none)?,
+                halves,
+                picture: buffer("picture", pixels, BufferUsages::COPY_SRC)?,
+            })
         })
+    }
+
+    /// Every buffer's name, and its bytes of GPU memory.
+    pub fn bytes(&self) -> Vec<(&'static str, u64)> {
+        let halves = self.halves.as_ref();
+        let all = [
+            ("receivers", Some(&self.receivers)),
+            ("albedo", Some(&self.albedo)),
+            ("radiance", Some(&self.radiance)),
+            ("half_receivers", halves.map(|half| &half.receivers)),
+            ("half_radiance", halves.map(|half| &half.radiance)),
+            ("half_sent", halves.and_then(|half| half.sent.as_ref())),
+            ("picture", Some(&self.picture)),
+        ];
+        let sizes = all.map(|(name, buffer)| buffer.map(|buffer| (name, buffer.size())));
+        sizes.into_iter().flatten().collect()
     }
 
     /// Receivers, albedo and radiance of a band of samples.

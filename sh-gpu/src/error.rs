@@ -1,6 +1,14 @@
 //! What can be wrong with what a host hands over.
 
 /// Why a pass was not made, prepared or bound. Nothing has been recorded when one of these comes back.
+///
+/// ```
+/// use sh_gpu::Error;
+/// let error = Error::Blockers { count: 300, capacity: 256 };
+/// assert_eq!(error.to_string(), "300 blocker spheres do not fit the 256 that the pass was made for");
+/// let memory = wgpu::Error::OutOfMemory { source: "no device memory".into() };
+/// assert_eq!(Error::from(memory), Error::OutOfMemory);
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -122,6 +130,29 @@ pub enum Error {
     /// A plan that makes no picture.
     #[error("the plan {0}")]
     Plan(&'static str),
+    /// The device ran out of memory while it made what was asked for. What was made before stays usable.
+    #[error("the device has no memory left for this; free some of it, or ask for less")]
+    OutOfMemory,
+    /// The device refused something: a buffer of another device, or one that was destroyed.
+    #[error("the device refused this: {0}")]
+    Validation(String),
+    /// The device failed in a way of its own, as in compiling a shader.
+    #[error("the device failed: {0}")]
+    Internal(String),
+    /// The device is gone, with everything on it.
+    #[error("the device is lost: {0}")]
+    DeviceLost(String),
+    /// A G-buffer's texture, or the target, that a pass cannot use.
+    #[error("the texture `{texture}` {problem}")]
+    Texture {
+        /// Which.
+        texture: &'static str,
+        /// What is wrong with it, and what would be right.
+        problem: String,
+    },
+    /// Vertices that are not where they are said to be.
+    #[error("the vertices {0}")]
+    Vertices(String),
     /// An environment map whose texels do not fill it.
     #[error("the environment map of {width} by {height} texels brings {texels}")]
     Environment {
@@ -145,7 +176,22 @@ pub enum Error {
     },
 }
 
+impl From<wgpu::Error> for Error {
+    fn from(error: wgpu::Error) -> Self {
+        match error {
+            wgpu::Error::OutOfMemory { .. } => Self::OutOfMemory,
+            wgpu::Error::Validation { description, .. } => Self::Validation(description),
+            wgpu::Error::Internal { description, .. } => Self::Internal(description),
+        }
+    }
+}
+
 impl Error {
+    /// For a device that shows no memory any more, and does not say why.
+    pub(crate) fn lost() -> Self {
+        Self::DeviceLost("it was destroyed, or its driver gave up".into())
+    }
+
     /// `Ok` where `needed` is within the limit.
     pub(crate) fn within(
         what: &'static str,

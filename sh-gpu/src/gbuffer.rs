@@ -1,10 +1,13 @@
 //! The G-buffer pass: position, normal and albedo where the camera's rays first meet a surface.
 
-use crate::pipeline::{Kernel, Slot, buffer_entry, shader, texture_entry};
+use crate::pipeline::{Kernel, buffer_entry, texture_bytes, texture_entry};
 use crate::records::Vertex;
-use crate::{Bands, Bodies, Bound, Error};
+use crate::scope::checked;
+use crate::slot::Slot;
+use crate::{Bands, Bodies, Bound, Error, Pipelines};
 use sh_kernels::{MIN_ORDER, Pass};
 use sh_scene::Receiver;
+use std::sync::Arc;
 use wgpu::{
     BindGroup, BindGroupEntry, BindingResource, BufferBinding, BufferBindingType, CommandEncoder,
     Device, RenderPass, RenderPipeline, ShaderModule, ShaderStages, TextureFormat, TextureUsages,
@@ -16,16 +19,48 @@ use wgpu::{
 /// Cells are drawn as fragments, one each, into two textures as large as a band; what [`COLOR`](Self::COLOR)
 /// holds is said in `kernels/gbuffer.wgsl`. A host with its own scene draws into them itself, through
 /// [`record_with`](Self::record_with).
+///
+/// ```no_run
+/// # use sh_gpu::{Bands, Bodies, Error, GbufferPass};
+/// # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, bands: &Bands,
+/// #     bodies: &Bodies, receivers: &wgpu::Buffer, albedos: &wgpu::Buffer) -> Result<(), Error> {
+/// let pass = GbufferPass::new(device, bands)?;
+/// let (receivers, albedos) = (receivers.as_entire_buffer_binding(), albedos.as_entire_buffer_binding());
+/// let bound = pass.bind(device, receivers, albedos)?;
+/// // every frame, after `bands.prepare` and `bodies.prepare`; here the first band alone
+/// pass.record(encoder, bands, 0, bodies, &bound, None);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct GbufferPass {
-    bodies: RenderPipeline,
-    ground: RenderPipeline,
-    pack: Kernel,
+    /// None where there is nothing of the kind.
+    bodies: Option<RenderPipeline>,
+    ground: Option<RenderPipeline>,
+    pack: Arc<Kernel>,
     /// Group 0 of the raster pipelines: the band.
     band: BindGroup,
     /// Group 0 of `pack`: the band and both textures.
     sources: BindGroup,
     targets: [TextureView; 3],
+}
+
+/// What a [`GbufferPass`] draws: everything, unless said otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Drawn {
+    /// Bodies with triangles.
+    pub bodies: bool,
+    /// The ground plane; where there is none in a frame nothing of it is drawn either.
+    pub ground: bool,
+}
+
+impl Default for Drawn {
+    fn default() -> Self {
+        Self {
+            bodies: true,
+            ground: true,
+        }
+    }
 }
 
 /// When the pass begins and ends: the query set, and the indices of both timestamps.
@@ -41,6 +76,17 @@ impl GbufferPass {
 
     /// Makes pipelines and targets for the bands of a picture.
     pub fn new(device: &Device, bands: &Bands) -> Result<Self, Error> {
+        Self::with(&Pipelines::new(device), bands)
+    }
+
+    /// As [`new`](Self::new), with pipelines that are shared.
+    pub fn with(pipelines: &Pipelines, bands: &Bands) -> Result<Self, Error> {
+        Self::drawing(pipelines, bands, Drawn::default())
+    }
+
+    /// As [`with`](Self::with), where it is known what there is to be drawn: nothing is compiled for the rest.
+    pub fn drawing(pipelines: &Pipelines, bands: &Bands, drawn: Drawn) -> Result<Self, Error> {
+        let device = pipelines.device();
         let bytes = device.limits().max_color_attachment_bytes_per_sample.into();
         Error::within(
             "a sample",
@@ -48,75 +94,81 @@ impl GbufferPass {
             "max_color_attachment_bytes_per_sample",
             bytes,
         )?;
-        let module = shader(device, Pass::Gbuffer, MIN_ORDER)?;
-        let uniform = BufferBindingType::Uniform;
-        let band_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("gaunt band"),
-            entries: &[buffer_entry(
-                0,
-                ShaderStages::VERTEX_FRAGMENT,
-                uniform,
-                true,
-            )],
-        });
-        let body_layout = Bodies::layout(device);
-        let band = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("gaunt band"),
-            layout: &band_layout,
-            entries: &[BindGroupEntry {
-                binding: 0,
-                resource: bands.binding(),
-            }],
-        });
-        let both = [Some(&band_layout), Some(&body_layout)];
-        let bodies = raster(
-            device,
-            &module,
-            ["body_vertex", "body_fragment"],
-            &both,
-            true,
-        );
-        let ground = raster(
-            device,
-            &module,
-            ["ground_vertex", "ground_fragment"],
-            &both[..1],
-            false,
-        );
+        checked(device, || {
+            let of = (Pass::Gbuffer, MIN_ORDER, MIN_ORDER);
+            let uniform = BufferBindingType::Uniform;
+            let band_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some("gaunt band"),
+                entries: &[buffer_entry(
+                    0,
+                    ShaderStages::VERTEX_FRAGMENT,
+                    uniform,
+                    true,
+                )],
+            });
+            let body_layout = Bodies::layout(device);
+            let band = device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("gaunt band"),
+                layout: &band_layout,
+                entries: &[BindGroupEntry {
+                    binding: 0,
+                    resource: bands.binding(),
+                }],
+            });
+            let both = [Some(&band_layout), Some(&body_layout)];
+            let names = ["body_vertex", "body_fragment"];
+            let bodies = drawn.bodies.then(|| {
+                pipelines.raster(of, names[1], |module| {
+                    raster(device, module, names, &both, true)
+                })
+            });
+            let names = ["ground_vertex", "ground_fragment"];
+            let ground = drawn.ground.then(|| {
+                pipelines.raster(of, names[1], |module| {
+                    raster(device, module, names, &both[..1], false)
+                })
+            });
 
-        let compute = ShaderStages::COMPUTE;
-        let uint = wgpu::TextureSampleType::Uint;
-        let write = BufferBindingType::Storage { read_only: false };
-        let own = [
-            buffer_entry(0, compute, uniform, true),
-            texture_entry(1, compute, uint),
-            texture_entry(2, compute, uint),
-        ];
-        let buffers = [
-            buffer_entry(0, compute, write, false),
-            buffer_entry(1, compute, write, false),
-        ];
-        let pack = Kernel::new(device, &module, "pack", [&own, &buffers]);
-        let targets =
-            [Self::COLOR, Self::COLOR, Self::DEPTH].map(|format| target(device, bands, format));
-        let entry = |binding, resource| BindGroupEntry { binding, resource };
-        let [place, surface, _] = &targets;
-        let sources = pack.own(
-            device,
-            &[
-                entry(0, bands.binding()),
-                entry(1, BindingResource::TextureView(place)),
-                entry(2, BindingResource::TextureView(surface)),
-            ],
-        );
-        Ok(Self {
-            bodies,
-            ground,
-            pack,
-            band,
-            sources,
-            targets,
+            let compute = ShaderStages::COMPUTE;
+            let uint = wgpu::TextureSampleType::Uint;
+            let write = BufferBindingType::Storage { read_only: false };
+            let own = [
+                buffer_entry(0, compute, uniform, true),
+                texture_entry(1, compute, uint),
+                texture_entry(2, compute, uint),
+            ];
+            let buffers = [
+                buffer_entry(0, compute, write, false),
+                buffer_entry(1, compute, write, false),
+            ];
+            let pack = pipelines.kernel(of, "pack", [&own, &buffers])?;
+            let targets =
+                [Self::COLOR, Self::COLOR, Self::DEPTH].map(|format| target(device, bands, format));
+            let entry = |binding, resource| BindGroupEntry { binding, resource };
+            let [place, surface, _] = &targets;
+            let sources = pack.own(
+                device,
+                &[
+                    entry(0, bands.binding()),
+                    entry(1, BindingResource::TextureView(place)),
+                    entry(2, BindingResource::TextureView(surface)),
+                ],
+            );
+            Ok(Self {
+                bodies: bodies.transpose()?,
+                ground: ground.transpose()?,
+                pack,
+                band,
+                sources,
+                targets,
+            })
         })
+    }
+
+    /// Bytes of GPU memory that the pass owns: 36 a cell of the largest band.
+    pub fn bytes(&self) -> u64 {
+        let bytes = |view: &TextureView| texture_bytes(view.texture());
+        self.targets.iter().map(bytes).sum()
     }
 
     /// Binds receivers ([`Receiver`], 32 bytes each) and albedos (red, green, blue, 0 as `vec4f`, 16 bytes
@@ -146,10 +198,14 @@ impl GbufferPass {
     ) {
         let draw = |pass: &mut RenderPass<'_>| {
             pass.set_bind_group(0, &self.band, &[bands.offset(band)]);
-            pass.set_pipeline(&self.bodies);
-            bodies.draw(pass);
-            pass.set_pipeline(&self.ground);
-            pass.draw(0..3, 0..1);
+            if let Some(pipeline) = &self.bodies {
+                pass.set_pipeline(pipeline);
+                bodies.draw(pass);
+            }
+            if let Some(pipeline) = &self.ground {
+                pass.set_pipeline(pipeline);
+                pass.draw(0..3, 0..1);
+            }
         };
         self.record_with(encoder, bands, band, draw, bound, timestamps);
     }
@@ -237,7 +293,10 @@ fn target(device: &Device, bands: &Bands, format: TextureFormat) -> TextureView 
         usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
         view_formats: &[],
     });
-    texture.create_view(&Default::default())
+    texture.create_view(&wgpu::TextureViewDescriptor {
+        label: Some("gaunt gbuffer"),
+        ..Default::default()
+    })
 }
 
 fn raster(

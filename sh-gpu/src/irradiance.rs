@@ -1,19 +1,35 @@
 //! The irradiance pass: light without blockers, for every receiver (Ren et al. 2006, equation 9).
 
 use crate::lighting::Lit;
-use crate::pipeline::{Kernel, Slot, buffer_entry, shader};
-use crate::{Bound, Error};
+use crate::pipeline::{Kernel, buffer_entry};
+use crate::scope::checked;
+use crate::slot::Slot;
+use crate::{Bound, Error, Pipelines};
 use sh_kernels::Pass;
 use sh_scene::{Light, Limits, Receiver};
+use std::sync::Arc;
 use wgpu::{
     BindGroup, BufferBinding, BufferBindingType, CommandEncoder, ComputePassTimestampWrites,
     Device, Queue, ShaderStages,
 };
 
 /// Light without blockers, on the host's device, queue and encoder. Used as [`ShadowPass`](crate::ShadowPass) is.
+///
+/// ```no_run
+/// # use sh_gpu::{Error, IrradiancePass};
+/// # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder,
+/// #     light: &sh_scene::Light, receivers: &wgpu::Buffer, radiance: &wgpu::Buffer) -> Result<(), Error> {
+/// let pass = IrradiancePass::new(device, light.order, light.emitters.len() as u32)?;
+/// let bound = pass.bind(device, receivers.as_entire_buffer_binding(), radiance.as_entire_buffer_binding())?;
+/// // every frame
+/// pass.prepare(queue, light)?;
+/// pass.record(encoder, &bound, None);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct IrradiancePass {
-    kernel: Kernel,
+    kernel: Arc<Kernel>,
     lit: Lit,
     group: BindGroup,
 }
@@ -21,16 +37,24 @@ pub struct IrradiancePass {
 impl IrradiancePass {
     /// Makes the pipeline for an SH order, 2 to 6, and sets room aside for analytic lights, 64 bytes each.
     pub fn new(device: &Device, order: usize, max_emitters: u32) -> Result<Self, Error> {
-        let module = shader(device, Pass::Irradiance, order)?;
-        let lit = Lit::new(device, order, max_emitters)?;
-        let storage = |binding, read_only| {
-            let ty = BufferBindingType::Storage { read_only };
-            buffer_entry(binding, ShaderStages::COMPUTE, ty, false)
-        };
-        let groups = [&Lit::layout(0)[..], &[storage(0, true), storage(1, false)]];
-        let kernel = Kernel::new(device, &module, "irradiance", groups);
-        let group = kernel.own(device, &lit.entries(0));
-        Ok(Self { kernel, lit, group })
+        Self::with(&Pipelines::new(device), order, max_emitters)
+    }
+
+    /// As [`new`](Self::new), with a pipeline that is shared.
+    pub fn with(pipelines: &Pipelines, order: usize, max_emitters: u32) -> Result<Self, Error> {
+        let device = pipelines.device();
+        checked(device, || {
+            let lit = Lit::new(device, order, max_emitters)?;
+            let storage = |binding, read_only| {
+                let ty = BufferBindingType::Storage { read_only };
+                buffer_entry(binding, ShaderStages::COMPUTE, ty, false)
+            };
+            let groups = [&Lit::layout(0)[..], &[storage(0, true), storage(1, false)]];
+            let of = (Pass::Irradiance, order, order);
+            let kernel = pipelines.specialised(of, "irradiance", groups, &[lit.lamps()])?;
+            let group = kernel.own(device, &lit.entries(0));
+            Ok(Self { kernel, lit, group })
+        })
     }
 
     /// Binds receivers ([`Receiver`], 32 bytes each, read) and radiance (red, green, blue, 0 as
@@ -43,10 +67,20 @@ impl IrradiancePass {
         radiance: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
         let receivers = Slot::counting("receivers", size_of::<Receiver>() as u64, receivers);
-        self.kernel.bind(
-            device,
-            &[receivers, Slot::with("radiance", 16, 1, radiance)],
-        )
+        let slots = [receivers, Slot::with("radiance", 16, 1, radiance)];
+        self.kernel.bind_parts(&slots, |slots, _| {
+            checked(device, || self.kernel.bind(device, slots))
+        })
+    }
+
+    /// Bytes of GPU memory that the pass owns.
+    pub fn bytes(&self) -> u64 {
+        self.lit.bytes()
+    }
+
+    /// Bytes of light that have been uploaded since the pass was made.
+    pub(crate) fn uploaded(&self) -> u64 {
+        self.lit.uploaded()
     }
 
     /// Uploads the light for what is submitted next.

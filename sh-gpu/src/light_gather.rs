@@ -1,12 +1,15 @@
 //! The light gather pass: light that spheres send on, at every receiver (Guerrero et al. 2008, section 6).
 
+use crate::clusters::{bind_clusters, bind_tiles};
 use crate::lighting::{buffer, room};
-use crate::pipeline::{Kernel, buffer_entry, shader};
-use crate::records::BlockingRule;
-use crate::shadow::{bind_clusters, tiles};
+use crate::pipeline::{Kernel, buffer_entry};
+use crate::scope::checked;
+use crate::slot::Slot;
+use crate::upload::{Kept, Known};
 use crate::{Bound, ClusterBinding, Error, ShadowPass};
 use sh_kernels::Pass;
-use sh_scene::{Blocking, Forest, Tiles};
+use sh_scene::{Blocking, Forest};
+use std::sync::Arc;
 use wgpu::{
     BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferBindingType, BufferUsages,
     CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
@@ -37,13 +40,14 @@ const NO_BODY: u32 = u32::MAX;
 /// ```
 #[derive(Debug)]
 pub struct LightGatherPass {
-    kernel: Kernel,
+    kernel: Arc<Kernel>,
     group: BindGroup,
-    rule: Buffer,
     members: Buffer,
     emission: Buffer,
     max_nodes: u32,
     blocking: Blocking,
+    kept: Kept<Members>,
+    known: Known,
 }
 
 impl LightGatherPass {
@@ -51,46 +55,52 @@ impl LightGatherPass {
     /// 16 (n² + 1) + 8 bytes a node at order n. [`Blocking::Sphere`] gives what [`Blocking::Runs`] does, in the same
     /// time.
     pub fn new(device: &Device, shadow: &ShadowPass, blocking: Blocking) -> Result<Self, Error> {
-        let order = shadow.order();
-        let module = shader(device, Pass::LightGather, order)?;
-        let max_nodes = shadow.max_blockers().saturating_mul(2);
-        let sent = 16 * (order * order + 1);
-        let emission = room(device, "room for what spheres send on", max_nodes, sent)?;
-        let members = room(device, "room for members of bodies", max_nodes, 8)?;
-        let rule = size_of::<BlockingRule>() as u64;
-        let storage = BufferUsages::STORAGE;
-        let open = storage | BufferUsages::COPY_SRC;
-        let emission = buffer(device, "gaunt emission", emission, open);
-        let members = buffer(device, "gaunt members", members, storage);
-        let rule = buffer(device, "gaunt blocking", rule, BufferUsages::UNIFORM);
-        let entry = |binding, ty| buffer_entry(binding, ShaderStages::COMPUTE, ty, false);
-        let uniform = BufferBindingType::Uniform;
-        let read = BufferBindingType::Storage { read_only: true };
-        let written = BufferBindingType::Storage { read_only: false };
-        let own = [uniform, read, uniform, read, read];
-        let own: Vec<_> = (0..).zip(own).map(|(at, ty)| entry(at, ty)).collect();
-        let host = [entry(0, read), entry(1, read), entry(2, written)];
-        let name = match blocking {
-            Blocking::Discs => "gather_discs",
-            Blocking::Runs | Blocking::Sphere | Blocking::Object => "gather_sums",
-        };
-        let kernel = Kernel::new(device, &module, name, [&own, &host]);
-        let [lighting, _] = shadow.lit.entries(0);
-        let bound = [&shadow.nodes, &rule, &members, &emission];
-        let bound = (1..).zip(bound).map(|(binding, buffer)| BindGroupEntry {
-            binding,
-            resource: buffer.as_entire_binding(),
-        });
-        let entries: Vec<_> = std::iter::once(lighting).chain(bound).collect();
-        let group = kernel.own(device, &entries);
-        Ok(Self {
-            kernel,
-            group,
-            rule,
-            members,
-            emission,
-            max_nodes,
-            blocking,
+        checked(device, || {
+            let order = shadow.order();
+            let max_nodes = shadow.max_blockers().saturating_mul(2);
+            let sent = 16 * (order * order + 1);
+            let emission = room(device, "room for what spheres send on", max_nodes, sent)?;
+            let members = room(device, "room for members of bodies", max_nodes, 8)?;
+            let storage = BufferUsages::STORAGE;
+            let open = storage | BufferUsages::COPY_SRC;
+            let emission = buffer(device, "gaunt emission", emission, open);
+            let members = buffer(device, "gaunt members", members, storage);
+            let entry = |binding, ty| buffer_entry(binding, ShaderStages::COMPUTE, ty, false);
+            let read = BufferBindingType::Storage { read_only: true };
+            let written = BufferBindingType::Storage { read_only: false };
+            let own = [BufferBindingType::Uniform, read, read, read];
+            let own: Vec<_> = (0..).zip(own).map(|(at, ty)| entry(at, ty)).collect();
+            let host = [entry(0, read), entry(1, read), entry(2, written)];
+            let name = match blocking {
+                Blocking::Discs => "gather_discs",
+                Blocking::Runs | Blocking::Sphere | Blocking::Object => "gather_sums",
+            };
+            let of = (Pass::LightGather, order, order);
+            let by_bodies = f64::from(u8::from(blocking == Blocking::Object));
+            let constants: &[_] = match blocking {
+                Blocking::Discs => &[],
+                _ => &[("BY_BODIES", by_bodies)],
+            };
+            let groups = [&own[..], &host];
+            let kernel = shadow.pipelines.specialised(of, name, groups, constants)?;
+            let [lighting, _] = shadow.lit.entries(0);
+            let bound = [&shadow.nodes, &members, &emission];
+            let bound = (1..).zip(bound).map(|(binding, buffer)| BindGroupEntry {
+                binding,
+                resource: buffer.as_entire_binding(),
+            });
+            let entries: Vec<_> = std::iter::once(lighting).chain(bound).collect();
+            let group = kernel.own(device, &entries);
+            Ok(Self {
+                kernel,
+                group,
+                members,
+                emission,
+                max_nodes,
+                blocking,
+                kept: Kept::default(),
+                known: Known::default(),
+            })
         })
     }
 
@@ -102,12 +112,7 @@ impl LightGatherPass {
         receivers: BufferBinding<'_>,
         radiance: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
-        let runs = tiles(&self.kernel, device, &receivers)?;
-        let clusters = ClusterBinding {
-            clusters: runs.as_entire_buffer_binding(),
-            largest: Tiles::AREA as u32,
-        };
-        self.bind_clusters(device, receivers, clusters, radiance)
+        bind_tiles(&self.kernel, device, receivers, written(radiance))
     }
 
     /// As [`bind`](Self::bind), with clusters of the host's.
@@ -118,7 +123,7 @@ impl LightGatherPass {
         clusters: ClusterBinding<'_>,
         radiance: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
-        bind_clusters(&self.kernel, device, receivers, clusters, radiance)
+        bind_clusters(&self.kernel, device, receivers, clusters, written(radiance))
     }
 
     /// Uploads which node belongs to which body, for what is submitted next. `blockers` is the
@@ -134,15 +139,16 @@ impl LightGatherPass {
         if nodes > self.max_nodes as usize || count > capacity as usize {
             return Err(Error::Blockers { count, capacity });
         }
-        let members = members(blockers, spheres)?;
-        let rule = BlockingRule {
-            by_bodies: u32::from(self.blocking == Blocking::Object),
-        };
-        queue.write_buffer(&self.rule, 0, bytemuck::bytes_of(&rule));
-        if !members.is_empty() {
-            queue.write_buffer(&self.members, 0, bytemuck::cast_slice(&members));
-        }
-        Ok(())
+        self.kept.with(|kept| {
+            kept.find(blockers, spheres)?;
+            self.known.write(queue, &self.members, &kept.members);
+            Ok(())
+        })
+    }
+
+    /// What hides what.
+    pub fn blocking(&self) -> Blocking {
+        self.blocking
     }
 
     /// What every node sends on: n² + 1 `vec4f` a node at order n, the SH coefficients in world space of radiance as a
@@ -150,6 +156,16 @@ impl LightGatherPass {
     /// That of a node above the leaves is their mean by cross-section. Usages `STORAGE`, `COPY_SRC` and `COPY_DST`.
     pub fn emission(&self) -> &Buffer {
         &self.emission
+    }
+
+    /// Bytes of GPU memory that the pass owns.
+    pub fn bytes(&self) -> u64 {
+        self.members.size() + self.emission.size()
+    }
+
+    /// Bytes that have been uploaded since the pass was made.
+    pub(crate) fn uploaded(&self) -> u64 {
+        self.known.written()
     }
 
     /// The most nodes that there may be.
@@ -171,45 +187,69 @@ impl LightGatherPass {
     }
 }
 
-/// The body of each node, and the node that stands for all of that body.
-fn members(
-    forest: &Forest,
-    spheres: impl IntoIterator<Item = usize>,
-) -> Result<Vec<[u32; 2]>, Error> {
-    let mut ends = Vec::new();
-    let mut count = 0;
-    for spheres in spheres {
-        count += spheres;
-        ends.push(count);
-    }
-    let expected = forest.spheres();
-    if count != expected {
-        return Err(Error::Spheres { count, expected });
-    }
-    let nodes = forest.nodes();
-    let mut roots = vec![0; ends.len()];
-    let mut members = vec![[NO_BODY, 0]; nodes.len()];
-    for (at, node) in nodes.iter().enumerate().rev() {
-        let body = if node.is_leaf(at) {
-            ends.partition_point(|&end| end <= node.sphere as usize) as u32
-        } else {
-            // All children's, if they agree.
-            let mut child = at + 1;
-            let first = members[child][0];
-            let mut one = true;
-            while child < node.skip as usize {
-                one &= members[child][0] == first;
-                child = nodes[child].skip as usize;
-            }
-            if one { first } else { NO_BODY }
-        };
-        members[at][0] = body;
-        if let Some(root) = roots.get_mut(body as usize) {
-            *root = at as u32;
+/// What the host binds for the light that is gathered.
+fn written(radiance: BufferBinding<'_>) -> Slot<'_> {
+    Slot::with("radiance", 16, 1, radiance)
+}
+
+/// Which node belongs to which body, in memory that is kept.
+#[derive(Default)]
+struct Members {
+    /// The body of each node, and the node that stands for all of that body.
+    members: Vec<[u32; 2]>,
+    /// One past the last sphere of each body.
+    ends: Vec<usize>,
+    /// The node that stands for each body.
+    roots: Vec<u32>,
+}
+
+impl Members {
+    fn find(
+        &mut self,
+        forest: &Forest,
+        spheres: impl IntoIterator<Item = usize>,
+    ) -> Result<(), Error> {
+        let Self {
+            members,
+            ends,
+            roots,
+        } = self;
+        ends.clear();
+        ends.extend(spheres.into_iter().scan(0, |count, spheres| {
+            *count += spheres;
+            Some(*count)
+        }));
+        let (count, expected) = (ends.last().copied().unwrap_or(0), forest.spheres());
+        if count != expected {
+            return Err(Error::Spheres { count, expected });
         }
+        let nodes = forest.nodes();
+        roots.clear();
+        roots.resize(ends.len(), 0);
+        members.clear();
+        members.resize(nodes.len(), [NO_BODY, 0]);
+        for (at, node) in nodes.iter().enumerate().rev() {
+            let body = if node.is_leaf(at) {
+                ends.partition_point(|&end| end <= node.sphere as usize) as u32
+            } else {
+                // All children's, if they agree.
+                let mut child = at + 1;
+                let first = members[child][0];
+                let mut one = true;
+                while child < node.skip as usize {
+                    one &= members[child][0] == first;
+                    child = nodes[child].skip as usize;
+                }
+                if one { first } else { NO_BODY }
+            };
+            members[at][0] = body;
+            if let Some(root) = roots.get_mut(body as usize) {
+                *root = at as u32;
+            }
+        }
+        for [body, root] in members {
+            *root = roots.get(*body as usize).copied().unwrap_or_default();
+        }
+        Ok(())
     }
-    for [body, root] in &mut members {
-        *root = roots.get(*body as usize).copied().unwrap_or_default();
-    }
-    Ok(members)
 }

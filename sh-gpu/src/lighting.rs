@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::pipeline::buffer_entry;
 use crate::records::Lighting;
+use crate::upload::Known;
 use bytemuck::Zeroable;
 use sh_scene::{Emitter, Light, Limits};
 use wgpu::{
@@ -17,6 +18,8 @@ pub(crate) struct Lit {
     max_emitters: u32,
     record: Buffer,
     emitters: Buffer,
+    /// What both hold.
+    known: [Known; 2],
 }
 
 impl Lit {
@@ -33,7 +36,13 @@ impl Lit {
             max_emitters,
             record: buffer(device, "gaunt lighting", record, BufferUsages::UNIFORM),
             emitters: buffer(device, "gaunt emitters", emitters, BufferUsages::STORAGE),
+            known: Default::default(),
         })
+    }
+
+    /// The override constant of kernels that know analytic lights: whether there may be any.
+    pub fn lamps(&self) -> (&'static str, f64) {
+        ("LAMPS", f64::from(u8::from(self.max_emitters > 0)))
     }
 
     /// Layout entries, two from `first` on.
@@ -58,6 +67,16 @@ impl Lit {
                 resource: self.emitters.as_entire_binding(),
             },
         ]
+    }
+
+    /// Bytes that have been uploaded since it was made.
+    pub fn uploaded(&self) -> u64 {
+        self.known.iter().map(Known::written).sum()
+    }
+
+    /// Bytes of GPU memory.
+    pub fn bytes(&self) -> u64 {
+        self.record.size() + self.emitters.size()
     }
 
     /// Uploads the record and the emitters, for so many nodes that are there already.
@@ -93,10 +112,9 @@ impl Lit {
         for (slot, [r, g, b]) in record.coefficients.iter_mut().zip(&light.coefficients) {
             *slot = [*r, *g, *b, 0.0];
         }
-        queue.write_buffer(&self.record, 0, bytemuck::bytes_of(&record));
-        if emitters > 0 {
-            queue.write_buffer(&self.emitters, 0, bytemuck::cast_slice(&light.emitters));
-        }
+        let [records, lamps] = &self.known;
+        records.write(queue, &self.record, &[record]);
+        lamps.write(queue, &self.emitters, &light.emitters);
         Ok(())
     }
 }

@@ -1,11 +1,15 @@
 //! What all passes do alike: layouts, pipelines, dispatches, and looking bindings over before they are used.
 
-use crate::Error;
+use crate::bound::Part;
+use crate::pipelines::Specialisation;
+use crate::slot::{Slot, enough};
+use crate::{Bound, Error};
 use sh_kernels::{Pass, WORKGROUP};
+use sh_scene::Tiles;
 use wgpu::{
     BindGroup, BindGroupEntry, BindGroupLayout, BindGroupLayoutEntry, BindingResource, BindingType,
-    BufferBinding, BufferBindingType, ComputePassTimestampWrites, ComputePipeline, Device,
-    ShaderModule, ShaderStages,
+    BufferBindingType, ComputePassTimestampWrites, ComputePipeline, Device, ShaderModule,
+    ShaderStages,
 };
 
 /// A layout entry for a buffer.
@@ -45,33 +49,39 @@ pub(crate) fn texture_entry(
     }
 }
 
-/// The shader module of a pass that knows one order.
-pub(crate) fn shader(device: &Device, pass: Pass, order: usize) -> Result<ShaderModule, Error> {
-    let source = sh_kernels::source(pass, order).ok_or(Error::Order(order))?;
-    let label = format!("gaunt {} order {order}", pass.name());
-    module(device, &label, source)
+/// Bytes of a texture without mip levels.
+pub(crate) fn texture_bytes(texture: &wgpu::Texture) -> u64 {
+    let texel = texture.format().block_copy_size(None).unwrap_or(0);
+    u64::from(texture.width()) * u64::from(texture.height()) * u64::from(texel)
 }
 
-/// A shader module with one of the kernels' texts.
-pub(crate) fn module(device: &Device, label: &str, source: &str) -> Result<ShaderModule, Error> {
-    let limits = device.limits();
-    let (needed, available) = (8, limits.max_storage_buffers_per_shader_stage.into());
-    Error::within(
-        "a pass",
-        needed,
-        "max_storage_buffers_per_shader_stage",
-        available,
-    )?;
-    let available = limits.max_compute_invocations_per_workgroup.into();
-    let needed = WORKGROUP.into();
-    Error::within(
-        "a workgroup",
-        needed,
-        "max_compute_invocations_per_workgroup",
-        available,
-    )?;
+/// The shader module of a specialisation.
+pub(crate) fn module(device: &Device, of: Specialisation) -> Result<ShaderModule, Error> {
+    let (pass, order, accumulation) = of;
+    let Some(source) = sh_kernels::source(pass, order) else {
+        return Err(Error::Order(order));
+    };
+    let (name, refused) = (
+        pass.name(),
+        Error::Accumulation {
+            order,
+            accumulation,
+        },
+    );
+    let accumulated = match pass {
+        Pass::Shadow => Some(sh_kernels::shadow(order, accumulation).ok_or(refused)?),
+        Pass::ShadowedLight => {
+            Some(sh_kernels::shadowed_light(order, accumulation).ok_or(refused)?)
+        }
+        _ => None,
+    };
+    let label = match accumulated {
+        Some(_) => format!("gaunt {name} order {order}, accumulated in {accumulation}"),
+        None => format!("gaunt {name} order {order}"),
+    };
+    let source = accumulated.unwrap_or(source);
     Ok(device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(label),
+        label: Some(&label),
         source: wgpu::ShaderSource::Wgsl(source.into()),
     }))
 }
@@ -89,11 +99,32 @@ pub(crate) struct Kernel {
 }
 
 impl Kernel {
+    /// Whether a device was requested with enough for a kernel of these layouts.
+    pub fn fits(device: &Device, groups: [&[BindGroupLayoutEntry]; 2]) -> Result<(), Error> {
+        let limits = device.limits();
+        let count = |wanted: fn(&BindingType) -> bool| {
+            let all = groups.iter().flat_map(|group| group.iter());
+            all.filter(|entry| wanted(&entry.ty)).count() as u64
+        };
+        let storage = count(|ty| match ty {
+            BindingType::Buffer { ty, .. } => matches!(ty, BufferBindingType::Storage { .. }),
+            _ => false,
+        });
+        let limit = "max_storage_buffers_per_shader_stage";
+        let available = limits.max_storage_buffers_per_shader_stage.into();
+        Error::within("the number of storage buffers", storage, limit, available)?;
+        let limit = "max_compute_invocations_per_workgroup";
+        let available = limits.max_compute_invocations_per_workgroup.into();
+        Error::within("a workgroup", WORKGROUP.into(), limit, available)
+    }
+
+    /// With values for the shader's overrides.
     pub fn new(
         device: &Device,
         shader: &ShaderModule,
         name: &'static str,
         groups: [&[BindGroupLayoutEntry]; 2],
+        constants: &[(&str, f64)],
     ) -> Self {
         let label = format!("gaunt {name}");
         let groups = groups.map(|entries| {
@@ -113,9 +144,9 @@ impl Kernel {
             module: shader,
             entry_point: Some(name),
             compilation_options: wgpu::PipelineCompilationOptions {
+                constants,
                 // No kernel reads what it has not written.
                 zero_initialize_workgroup_memory: false,
-                ..Default::default()
             },
             cache: None,
         });
@@ -143,11 +174,44 @@ impl Kernel {
     /// says how many invocations there are; all others must hold enough for it.
     pub fn bind(&self, device: &Device, slots: &[Slot<'_>]) -> Result<Bound, Error> {
         let (group, count) = self.group(device, slots)?;
-        let [across, down] = self.spread(count.div_ceil(u64::from(WORKGROUP)))?;
-        Ok(Bound {
-            group,
-            workgroups: [across, down, 1],
-        })
+        Ok(Bound::new(group, self.workgroups(count)?))
+    }
+
+    /// Workgroups for so many elements.
+    pub fn workgroups(&self, elements: u64) -> Result<[u32; 3], Error> {
+        let [across, down] = self.spread(elements.div_ceil(u64::from(WORKGROUP)))?;
+        Ok([across, down, 1])
+    }
+
+    /// Slots of which an invocation has `each` elements, in as few parts as the device's largest binding allows, of
+    /// whole tiles. `bind` is given the slots of a part, and how many invocations it has.
+    pub fn bind_parts(
+        &self,
+        slots: &[Slot<'_>],
+        mut bind: impl FnMut(&[Slot<'_>], u64) -> Result<Bound, Error>,
+    ) -> Result<Bound, Error> {
+        let mut sizes = Vec::with_capacity(slots.len());
+        for slot in slots {
+            sizes.push(self.held(slot)?);
+        }
+        let count = enough(slots, &sizes)?;
+        // Parts begin at a multiple of 256 elements, and so at a multiple of every device's alignment.
+        let step = Tiles::AREA as u64;
+        let limit = "max_storage_buffer_binding_size";
+        let mut most = count;
+        for slot in slots {
+            let each = slot.stride * slot.each;
+            Error::within(slot.name, each * step.min(count), limit, self.max_binding)?;
+            if each * count > self.max_binding {
+                most = most.min(self.max_binding / each / step * step);
+            }
+        }
+        let parts = (0..count).step_by(most as usize).map(|first| {
+            let count = most.min(count - first);
+            let parts = slots.iter().map(|slot| slot.part(first, count));
+            bind(&parts.collect::<Vec<_>>(), count)
+        });
+        parts.collect()
     }
 
     /// As [`bind`](Self::bind) for a kernel with a workgroup for every 64 elements of each of many groups of elements,
@@ -164,10 +228,7 @@ impl Kernel {
         let limit = "max_compute_workgroups_per_dimension";
         Error::within("the number of workgroups of a cluster", across, limit, axis)?;
         let [down, deep] = self.spread(groups)?;
-        Ok(Bound {
-            group,
-            workgroups: [across as u32, down, deep],
-        })
+        Ok(Bound::new(group, [across as u32, down, deep]))
     }
 
     /// The bind group, and the number of elements of what counts.
@@ -176,21 +237,7 @@ impl Kernel {
         for slot in slots {
             sizes.push(self.elements(slot)?);
         }
-        let counting = slots.iter().position(|slot| slot.counts).unwrap_or(0);
-        let count = sizes[counting];
-        for (slot, &size) in slots.iter().zip(&sizes) {
-            let needed = count * slot.each;
-            if size < needed {
-                let problem = format!(
-                    "holds {size} elements of {} bytes; {needed} are needed, because `{}` holds {count}",
-                    slot.stride, slots[counting].name
-                );
-                return Err(Error::Binding {
-                    binding: slot.name,
-                    problem,
-                });
-            }
-        }
+        let count = enough(slots, &sizes)?;
         let entries: Vec<_> = (0..)
             .zip(slots)
             .map(|(binding, slot)| BindGroupEntry {
@@ -206,8 +253,16 @@ impl Kernel {
         Ok((group, count))
     }
 
-    /// How many elements a binding holds, once it is looked over.
+    /// How many elements a binding holds, once it is looked over; it has to fit the device's largest.
     pub fn elements(&self, slot: &Slot<'_>) -> Result<u64, Error> {
+        let count = self.held(slot)?;
+        let (size, limit) = (count * slot.stride, "max_storage_buffer_binding_size");
+        Error::within(slot.name, size, limit, self.max_binding)?;
+        Ok(count)
+    }
+
+    /// How many elements a binding of any size holds.
+    fn held(&self, slot: &Slot<'_>) -> Result<u64, Error> {
         let Slot {
             name,
             stride,
@@ -241,12 +296,6 @@ impl Kernel {
                 "has {size} bytes; a positive multiple of {stride} is needed"
             ));
         }
-        Error::within(
-            name,
-            size,
-            "max_storage_buffer_binding_size",
-            self.max_binding,
-        )?;
         Ok(size / stride)
     }
 
@@ -263,7 +312,7 @@ impl Kernel {
         Ok([groups.div_ceil(down) as u32, down as u32])
     }
 
-    /// Records one dispatch in a compute pass of its own.
+    /// Records a compute pass with a dispatch for every part of what was bound.
     pub fn record(
         &self,
         encoder: &mut wgpu::CommandEncoder,
@@ -271,61 +320,47 @@ impl Kernel {
         bound: &Bound,
         timestamps: Option<ComputePassTimestampWrites<'_>>,
     ) {
+        let mut pass = self.begin(encoder, timestamps);
+        self.dispatch(&mut pass, own, bound);
+        pass.pop_debug_group();
+    }
+
+    /// As [`record`](Self::record) for several at once, each with a dynamic offset into group 0.
+    pub fn record_parts<'a>(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        own: &BindGroup,
+        parts: impl IntoIterator<Item = (u32, &'a Bound)>,
+        timestamps: Option<ComputePassTimestampWrites<'_>>,
+    ) {
+        let mut pass = self.begin(encoder, timestamps);
+        for (offset, bound) in parts {
+            self.dispatch(&mut pass, (own, &[offset]), bound);
+        }
+        pass.pop_debug_group();
+    }
+
+    fn begin<'a>(
+        &self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        timestamps: Option<ComputePassTimestampWrites<'_>>,
+    ) -> wgpu::ComputePass<'a> {
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
             label: Some(&self.label),
             timestamp_writes: timestamps,
         });
         pass.push_debug_group(&self.label);
+        pass
+    }
+
+    /// Records the dispatches in a compute pass that is open.
+    fn dispatch(&self, pass: &mut wgpu::ComputePass<'_>, own: (&BindGroup, &[u32]), bound: &Bound) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, own.0, own.1);
-        pass.set_bind_group(1, &bound.group, &[]);
-        let [x, y, z] = bound.workgroups;
-        pass.dispatch_workgroups(x, y, z);
-        pass.pop_debug_group();
-    }
-}
-
-/// A storage buffer that a kernel wants.
-pub(crate) struct Slot<'a> {
-    /// As the kernel names it.
-    pub name: &'static str,
-    /// Bytes an element.
-    pub stride: u64,
-    /// Elements an invocation needs.
-    pub each: u64,
-    /// Whether there is an invocation for every element.
-    pub counts: bool,
-    pub binding: BufferBinding<'a>,
-}
-
-impl<'a> Slot<'a> {
-    /// One element an invocation, and as many invocations as elements.
-    pub fn counting(name: &'static str, stride: u64, binding: BufferBinding<'a>) -> Self {
-        Self {
-            name,
-            stride,
-            each: 1,
-            counts: true,
-            binding,
+        for Part { group, workgroups } in &bound.parts {
+            pass.set_bind_group(1, group, &[]);
+            let [x, y, z] = *workgroups;
+            pass.dispatch_workgroups(x, y, z);
         }
     }
-
-    /// At least `each` elements an invocation.
-    pub fn with(name: &'static str, stride: u64, each: u64, binding: BufferBinding<'a>) -> Self {
-        Self {
-            name,
-            stride,
-            each,
-            counts: false,
-            binding,
-        }
-    }
-}
-
-/// The host's buffers, looked over and bound to one pass. Made once, used every frame while the buffers
-/// stay the same; valid only for the pass that made it.
-#[derive(Clone, Debug)]
-pub struct Bound {
-    group: BindGroup,
-    workgroups: [u32; 3],
 }

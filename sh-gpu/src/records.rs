@@ -1,4 +1,11 @@
-//! The uniform records of the kernels, laid out as WGSL lays them out (compared by a test).
+//! The uniform records of the kernels, laid out as WGSL lays them out (compared by a test): for hosts that bind a kernel
+//! of `sh-kernels` themselves.
+//!
+//! ```
+//! use bytemuck::Zeroable;
+//! let lighting = sh_gpu::records::Lighting { nodes: 3, ..Zeroable::zeroed() };
+//! assert_eq!(bytemuck::bytes_of(&lighting).len(), 592);
+//! ```
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3};
@@ -86,14 +93,6 @@ impl UpsampleRule {
     };
 }
 
-/// `struct BlockingRule`: which spheres hide which.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-pub struct BlockingRule {
-    /// 1 where bodies hide each other as a whole, 0 where their spheres do one by one.
-    pub by_bodies: u32,
-}
-
 /// `struct Sender`: a sphere that sends light on.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -124,6 +123,42 @@ pub struct Body {
     pub albedo: Vec3,
     /// The index that receivers carry.
     pub object: u32,
+}
+
+/// `struct VertexSource`: where a host's vertices lie, in words of 4 bytes, and where they stand.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct VertexSource {
+    /// World from object space.
+    pub world_from_object: Mat4,
+    /// The first position.
+    pub first: u32,
+    /// From one vertex to the next.
+    pub stride: u32,
+    /// From a position to its normal.
+    pub normal: u32,
+    /// The index of the body, which receivers carry.
+    pub object: u32,
+}
+
+/// `struct ScreenSource`: how a part of a host's G-buffer is read.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct ScreenSource {
+    /// From clip space to the world.
+    pub world_from_clip: Mat4,
+    /// Pixels across and down.
+    pub size: [u32; 2],
+    /// The first row of pixels of this part.
+    pub first_row: u32,
+    /// The depth of what is not covered.
+    pub empty: f32,
+    /// What a normal's texel is multiplied with.
+    pub scale: f32,
+    /// What is added to that.
+    pub bias: f32,
+    /// Fills up to a multiple of 16 bytes.
+    pub tail: [u32; 2],
 }
 
 /// A vertex of a body, as the G-buffer pass reads it: 44 bytes.

@@ -1,20 +1,38 @@
 //! The resolve pass: radiance times albedo, the environment where nothing is hit, samples to pixels.
 
-use crate::pipeline::{Kernel, Slot, buffer_entry, shader, texture_entry};
-use crate::{Bands, Bound, Error};
+use crate::pipeline::{Kernel, buffer_entry, texture_bytes, texture_entry};
+use crate::scope::checked;
+use crate::slot::Slot;
+use crate::upload::Kept;
+use crate::{Bands, Bound, Error, Pipelines};
 use sh_kernels::{MIN_ORDER, Pass};
 use sh_scene::{EnvironmentMap, Receiver, View};
+use std::sync::Arc;
 use wgpu::{
     BindGroup, BindGroupEntry, BindingResource, BufferBinding, BufferBindingType, CommandEncoder,
     ComputePassTimestampWrites, Device, Queue, ShaderStages, Texture,
 };
 
 /// Samples to pixels, on the host's device and encoder.
+///
+/// ```no_run
+/// # use sh_gpu::{Bands, Error, ResolvePass};
+/// # use wgpu::BufferBinding;
+/// # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, bands: &Bands,
+/// #     sky: &sh_scene::EnvironmentMap, [receivers, albedo, radiance, picture]: [BufferBinding; 4]) -> Result<(), Error> {
+/// let pass = ResolvePass::new(device, queue, bands, sky)?;
+/// let bound = pass.bind(device, receivers, albedo, radiance, picture)?;
+/// // every frame; here the first band alone
+/// pass.record(encoder, bands, 0, &bound, None);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct ResolvePass {
-    kernel: Kernel,
+    kernel: Arc<Kernel>,
     group: BindGroup,
     environment: Texture,
+    kept: Kept<Vec<[f32; 4]>>,
 }
 
 impl ResolvePass {
@@ -26,6 +44,17 @@ impl ResolvePass {
         bands: &Bands,
         environment: &EnvironmentMap,
     ) -> Result<Self, Error> {
+        Self::with(&Pipelines::new(device), queue, bands, environment)
+    }
+
+    /// As [`new`](Self::new), with a pipeline that is shared.
+    pub fn with(
+        pipelines: &Pipelines,
+        queue: &Queue,
+        bands: &Bands,
+        environment: &EnvironmentMap,
+    ) -> Result<Self, Error> {
+        let device = pipelines.device();
         let EnvironmentMap { width, height, .. } = environment;
         let side = u64::from(device.limits().max_texture_dimension_2d);
         let longest = u64::from(*width.max(height));
@@ -36,45 +65,57 @@ impl ResolvePass {
             side,
         )?;
         check(environment)?;
-        let module = shader(device, Pass::Resolve, MIN_ORDER)?;
-        let compute = ShaderStages::COMPUTE;
-        let float = wgpu::TextureSampleType::Float { filterable: false };
-        let own = [
-            buffer_entry(0, compute, BufferBindingType::Uniform, true),
-            texture_entry(1, compute, float),
-        ];
-        let host = [0, 1, 2, 3].map(|binding| {
-            let ty = BufferBindingType::Storage {
-                read_only: binding < 3,
+        checked(device, || {
+            let compute = ShaderStages::COMPUTE;
+            let float = wgpu::TextureSampleType::Float { filterable: false };
+            let own = [
+                buffer_entry(0, compute, BufferBindingType::Uniform, true),
+                texture_entry(1, compute, float),
+            ];
+            let host = [0, 1, 2, 3].map(|binding| {
+                let ty = BufferBindingType::Storage {
+                    read_only: binding < 3,
+                };
+                buffer_entry(binding, compute, ty, false)
+            });
+            let of = (Pass::Resolve, MIN_ORDER, MIN_ORDER);
+            let kernel = pipelines.kernel(of, "resolve", [&own, &host])?;
+            let descriptor = wgpu::TextureDescriptor {
+                label: Some("gaunt environment"),
+                size: wgpu::Extent3d {
+                    width: *width,
+                    height: *height,
+                    depth_or_array_layers: 1,
+                },
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format: wgpu::TextureFormat::Rgba32Float,
+                usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+                view_formats: &[],
             };
-            buffer_entry(binding, compute, ty, false)
-        });
-        let kernel = Kernel::new(device, &module, "resolve", [&own, &host]);
-        let descriptor = wgpu::TextureDescriptor {
-            label: Some("gaunt environment"),
-            size: wgpu::Extent3d {
-                width: *width,
-                height: *height,
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::Rgba32Float,
-            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-            view_formats: &[],
-        };
-        let texture = device.create_texture(&descriptor);
-        write(queue, &texture, environment);
-        let map = texture.create_view(&Default::default());
-        let entry = |binding, resource| BindGroupEntry { binding, resource };
-        let map = entry(1, BindingResource::TextureView(&map));
-        let group = kernel.own(device, &[entry(0, bands.binding()), map]);
-        Ok(Self {
-            kernel,
-            group,
-            environment: texture,
+            let texture = device.create_texture(&descriptor);
+            let kept = Kept::default();
+            kept.with(|kept| write(queue, &texture, environment, kept));
+            let map = texture.create_view(&wgpu::TextureViewDescriptor {
+                label: Some("gaunt environment"),
+                ..Default::default()
+            });
+            let entry = |binding, resource| BindGroupEntry { binding, resource };
+            let map = entry(1, BindingResource::TextureView(&map));
+            let group = kernel.own(device, &[entry(0, bands.binding()), map]);
+            Ok(Self {
+                kernel,
+                group,
+                environment: texture,
+                kept,
+            })
         })
+    }
+
+    /// Bytes of GPU memory that the pass owns: the environment map.
+    pub fn bytes(&self) -> u64 {
+        texture_bytes(&self.environment)
     }
 
     /// Uploads another environment map in the place of the first, of the same size, for what is submitted next.
@@ -91,7 +132,8 @@ impl ResolvePass {
             });
         }
         check(environment)?;
-        write(queue, &self.environment, environment);
+        self.kept
+            .with(|kept| write(queue, &self.environment, environment, kept));
         Ok(())
     }
 
@@ -153,14 +195,15 @@ fn check(environment: &EnvironmentMap) -> Result<(), Error> {
 }
 
 /// Uploads a map to a texture of its size.
-fn write(queue: &Queue, texture: &Texture, environment: &EnvironmentMap) {
+fn write(queue: &Queue, texture: &Texture, environment: &EnvironmentMap, kept: &mut Vec<[f32; 4]>) {
     let pixels = environment.pixels.iter();
-    let texels: Vec<[f32; 4]> = pixels.map(|[r, g, b]| [*r, *g, *b, 0.0]).collect();
+    kept.clear();
+    kept.extend(pixels.map(|[r, g, b]| [*r, *g, *b, 0.0]));
     let layout = wgpu::TexelCopyBufferLayout {
         offset: 0,
         bytes_per_row: Some(environment.width * 16),
         rows_per_image: None,
     };
-    let bytes = bytemuck::cast_slice(&texels);
+    let bytes = bytemuck::cast_slice(kept);
     queue.write_texture(texture.as_image_copy(), bytes, layout, texture.size());
 }

@@ -1,12 +1,16 @@
 //! The shadow pass: light through the visibility of all blocker spheres, for every receiver (Ren et al. 2006,
 //! sections 6 to 8).
 
+use crate::clusters::{bind_clusters, bind_tiles};
 use crate::lighting::{Lit, buffer, room};
-use crate::pipeline::{Kernel, Slot, buffer_entry, module};
-use crate::{Bound, Error};
+use crate::pipeline::{Kernel, buffer_entry};
+use crate::scope::checked;
+use crate::slot::Slot;
+use crate::upload::{Kept, Known};
+use crate::{Bound, ClusterBinding, Error, Pipelines};
 use sh_kernels::Pass;
-use sh_scene::{Forest, Light, Limits, Node, Receiver, Sphere, Tiles};
-use wgpu::util::{BufferInitDescriptor, DeviceExt};
+use sh_scene::{Forest, Light, Limits, Node, Sphere};
+use std::sync::Arc;
 use wgpu::{
     BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferBindingType, BufferUsages,
     CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
@@ -25,6 +29,8 @@ pub struct ShadowOptions {
     pub max_blockers: u32,
     /// The most analytic lights; 64 bytes each are set aside.
     pub max_emitters: u32,
+    /// What it writes.
+    pub output: Output,
 }
 
 impl Default for ShadowOptions {
@@ -34,18 +40,39 @@ impl Default for ShadowOptions {
             accumulation: 4,
             max_blockers: 4096,
             max_emitters: 16,
+            output: Output::Radiance,
         }
     }
 }
 
-/// Receivers that share a cut of blockers, as the GPU reads them.
-#[derive(Clone, Debug)]
-pub struct ClusterBinding<'a> {
-    /// A `vec2u` each, 8 bytes: index of the first receiver, and how many. They may change from frame to frame, and
-    /// be written by a pass; those of no receivers cost next to nothing.
-    pub clusters: BufferBinding<'a>,
-    /// Receivers of the largest cluster; what a cluster has beyond is not lit.
-    pub largest: u32,
+/// What a [`ShadowPass`] writes for every receiver.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Output {
+    /// The radiance that albedo 1 would reflect: a `vec4f` (red, green, blue, 0), 16 bytes. Every channel lies within 0
+    /// and its unshadowed value.
+    #[default]
+    Radiance,
+    /// The light itself, g·L in the papers: the product of visibility and all light, before it meets a surface. n²
+    /// `vec4f` (red, green, blue, 0) at order n, 16 n² bytes: coefficient i of receiver r is element r·n² + i. For
+    /// BRDFs and normal maps of the host's: dot it with the SH vector of BRDF times cosine, in world space. The host
+    /// bounds what comes out of that; with the cosine lobe of the receiver's own normal it is
+    /// [`Radiance`](Self::Radiance) before bounding.
+    Light,
+}
+
+impl Output {
+    /// Elements of 16 bytes a receiver at an SH order.
+    ///
+    /// ```
+    /// assert_eq!(sh_gpu::Output::Radiance.elements(4), 1);
+    /// assert_eq!(sh_gpu::Output::Light.elements(4), 16);
+    /// ```
+    pub fn elements(self, order: usize) -> u64 {
+        match self {
+            Self::Radiance => 1,
+            Self::Light => (order * order) as u64,
+        }
+    }
 }
 
 /// Light through the visibility of all blocker spheres, on the host's device, queue and encoder.
@@ -71,56 +98,77 @@ pub struct ClusterBinding<'a> {
 /// ```
 #[derive(Debug)]
 pub struct ShadowPass {
-    kernel: Kernel,
+    kernel: Arc<Kernel>,
+    pub(crate) pipelines: Pipelines,
     pub(crate) lit: Lit,
     pub(crate) nodes: Buffer,
     group: BindGroup,
+    kept: Kept<Vec<Node>>,
+    known: Known,
     options: ShadowOptions,
 }
 
 impl ShadowPass {
     /// Makes the pipeline and sets room aside for blockers and light.
     pub fn new(device: &Device, options: ShadowOptions) -> Result<Self, Error> {
+        Self::with(&Pipelines::new(device), options)
+    }
+
+    /// As [`new`](Self::new), with a pipeline that is shared.
+    pub fn with(pipelines: &Pipelines, options: ShadowOptions) -> Result<Self, Error> {
+        let device = pipelines.device();
         let ShadowOptions {
             order,
             accumulation,
             max_blockers,
             max_emitters,
+            output,
         } = options;
-        let text = match sh_kernels::source(Pass::Shadow, order) {
-            Some(_) => sh_kernels::shadow(order, accumulation).ok_or(Error::Accumulation {
-                order,
-                accumulation,
-            })?,
-            None => return Err(Error::Order(order)),
-        };
-        let label = format!("gaunt shadow order {order}, accumulated in {accumulation}");
-        let module = module(device, &label, text)?;
-        let max_nodes = max_blockers.saturating_mul(2);
-        let lit = Lit::new(device, order, max_emitters)?;
-        let room = room(device, "room for blockers", max_nodes, size_of::<Node>())?;
-        let nodes = buffer(device, "gaunt blockers", room, BufferUsages::STORAGE);
-        let storage = |binding, read_only| {
-            let ty = BufferBindingType::Storage { read_only };
-            buffer_entry(binding, ShaderStages::COMPUTE, ty, false)
-        };
-        let host = [storage(0, true), storage(1, true), storage(2, false)];
-        let [record, emitters] = Lit::layout(0);
-        let own = [record, emitters, storage(2, true)];
-        let kernel = Kernel::new(device, &module, "shadow", [&own, &host]);
-        let [record, emitters] = lit.entries(0);
-        let blockers = BindGroupEntry {
-            binding: 2,
-            resource: nodes.as_entire_binding(),
-        };
-        let group = kernel.own(device, &[record, emitters, blockers]);
-        Ok(Self {
-            kernel,
-            lit,
-            nodes,
-            group,
-            options,
+        checked(device, || {
+            let max_nodes = max_blockers.saturating_mul(2);
+            let lit = Lit::new(device, order, max_emitters)?;
+            let room = room(device, "room for blockers", max_nodes, size_of::<Node>())?;
+            let nodes = buffer(device, "gaunt blockers", room, BufferUsages::STORAGE);
+            let storage = |binding, read_only| {
+                let ty = BufferBindingType::Storage { read_only };
+                buffer_entry(binding, ShaderStages::COMPUTE, ty, false)
+            };
+            let host = [storage(0, true), storage(1, true), storage(2, false)];
+            let [record, emitters] = Lit::layout(0);
+            let own = [record, emitters, storage(2, true)];
+            let pass = match output {
+                Output::Radiance => Pass::Shadow,
+                Output::Light => Pass::ShadowedLight,
+            };
+            let of = (pass, order, accumulation);
+            let kernel = pipelines.specialised(of, pass.name(), [&own, &host], &[lit.lamps()])?;
+            let [record, emitters] = lit.entries(0);
+            let blockers = BindGroupEntry {
+                binding: 2,
+                resource: nodes.as_entire_binding(),
+            };
+            let group = kernel.own(device, &[record, emitters, blockers]);
+            Ok(Self {
+                kernel,
+                pipelines: pipelines.clone(),
+                lit,
+                nodes,
+                group,
+                kept: Kept::default(),
+                known: Known::default(),
+                options,
+            })
         })
+    }
+
+    /// Bytes of GPU memory that the pass owns.
+    pub fn bytes(&self) -> u64 {
+        self.lit.bytes() + self.nodes.size()
+    }
+
+    /// Bytes of nodes and light that have been uploaded since the pass was made.
+    pub(crate) fn uploaded(&self) -> u64 {
+        self.known.written() + self.lit.uploaded()
     }
 
     /// The SH order of the light.
@@ -133,24 +181,20 @@ impl ShadowPass {
         self.options.max_blockers
     }
 
-    /// Binds receivers ([`Receiver`], 32 bytes each, read) and radiance (red, green, blue, 0 as
+    /// Binds receivers ([`sh_scene::Receiver`], 32 bytes each, read) and radiance (red, green, blue, 0 as
     /// `vec4f`, 16 bytes each, written). The size of `receivers` says how many there are; `radiance` must
-    /// hold as many. Both need `BufferUsages::STORAGE`.
+    /// hold as many, or n² times as many with [`Output::Light`]. Both need `BufferUsages::STORAGE`. Those that exceed
+    /// the device's `max_storage_buffer_binding_size` are bound in parts.
     ///
-    /// Every [`Tiles::AREA`] receivers one after another are a cluster: the tiles of a picture, or what the host put
-    /// side by side.
+    /// Every [`sh_scene::Tiles::AREA`] receivers one after another are a cluster: the tiles of a picture, or what the host
+    /// put side by side.
     pub fn bind(
         &self,
         device: &Device,
         receivers: BufferBinding<'_>,
         radiance: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
-        let runs = tiles(&self.kernel, device, &receivers)?;
-        let clusters = ClusterBinding {
-            clusters: runs.as_entire_buffer_binding(),
-            largest: Tiles::AREA as u32,
-        };
-        self.bind_clusters(device, receivers, clusters, radiance)
+        bind_tiles(&self.kernel, device, receivers, self.written(radiance))
     }
 
     /// As [`bind`](Self::bind), with clusters of the host's.
@@ -161,7 +205,17 @@ impl ShadowPass {
         clusters: ClusterBinding<'_>,
         radiance: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
-        bind_clusters(&self.kernel, device, receivers, clusters, radiance)
+        let written = self.written(radiance);
+        bind_clusters(&self.kernel, device, receivers, clusters, written)
+    }
+
+    fn written<'a>(&self, binding: BufferBinding<'a>) -> Slot<'a> {
+        let ShadowOptions { order, output, .. } = self.options;
+        let name = match output {
+            Output::Radiance => "radiance",
+            Output::Light => "light",
+        };
+        Slot::with(name, 16, output.elements(order), binding)
     }
 
     /// Uploads the blockers and the light for what is submitted next.
@@ -175,7 +229,7 @@ impl ShadowPass {
         let nodes = blockers.nodes();
         self.check(blockers.spheres(), nodes.len())?;
         self.lit.prepare(queue, light, nodes.len() as u32, limits)?;
-        self.upload(queue, nodes);
+        self.known.write(queue, &self.nodes, nodes);
         Ok(())
     }
 
@@ -191,18 +245,19 @@ impl ShadowPass {
         self.lit
             .prepare(queue, light, count as u32, Limits::LEAVES)?;
         // Every leaf a tree of its own.
-        let nodes: Vec<Node> = (0..)
-            .zip(blockers)
-            .map(|(at, &Sphere { center, radius })| Node {
-                center,
-                radius,
-                area: radius * radius,
-                parent: at,
-                skip: at + 1,
-                sphere: at,
-            })
-            .collect();
-        self.upload(queue, &nodes);
+        let nodes = (0..).zip(blockers).map(|(at, sphere)| Node {
+            center: sphere.center,
+            radius: sphere.radius,
+            area: sphere.radius * sphere.radius,
+            parent: at,
+            skip: at + 1,
+            sphere: at,
+        });
+        self.kept.with(|kept| {
+            kept.clear();
+            kept.extend(nodes);
+            self.known.write(queue, &self.nodes, kept);
+        });
         Ok(())
     }
 
@@ -214,6 +269,7 @@ impl ShadowPass {
         limits: Limits,
         light: &Light,
     ) -> Result<(), Error> {
+        self.known.forget();
         self.check(nodes.div_ceil(2) as usize, nodes as usize)?;
         self.lit.prepare(queue, light, nodes, limits)
     }
@@ -245,48 +301,4 @@ impl ShadowPass {
         }
         Ok(())
     }
-
-    fn upload(&self, queue: &Queue, nodes: &[Node]) {
-        if !nodes.is_empty() {
-            queue.write_buffer(&self.nodes, 0, bytemuck::cast_slice(nodes));
-        }
-    }
-}
-
-/// Clusters of [`Tiles::AREA`] receivers one after another.
-pub(crate) fn tiles(
-    kernel: &Kernel,
-    device: &Device,
-    receivers: &BufferBinding<'_>,
-) -> Result<Buffer, Error> {
-    let count = kernel.elements(&receiver_slot(receivers))? as u32;
-    let runs: Vec<[u32; 2]> = (0..count)
-        .step_by(Tiles::AREA)
-        .map(|first| [first, (count - first).min(Tiles::AREA as u32)])
-        .collect();
-    Ok(device.create_buffer_init(&BufferInitDescriptor {
-        label: Some("gaunt clusters"),
-        contents: bytemuck::cast_slice(&runs),
-        usage: BufferUsages::STORAGE,
-    }))
-}
-
-/// Receivers, clusters and radiance for a kernel that works cluster by cluster.
-pub(crate) fn bind_clusters(
-    kernel: &Kernel,
-    device: &Device,
-    receivers: BufferBinding<'_>,
-    clusters: ClusterBinding<'_>,
-    radiance: BufferBinding<'_>,
-) -> Result<Bound, Error> {
-    let ClusterBinding { clusters, largest } = clusters;
-    let clusters = Slot::with("clusters", 8, 0, clusters);
-    let count = kernel.elements(&clusters)?;
-    let radiance = Slot::with("radiance", 16, 1, radiance);
-    let slots = [receiver_slot(&receivers), clusters, radiance];
-    kernel.bind_groups(device, &slots, count, largest.into())
-}
-
-fn receiver_slot<'a>(binding: &BufferBinding<'a>) -> Slot<'a> {
-    Slot::counting("receivers", size_of::<Receiver>() as u64, binding.clone())
 }

@@ -2,8 +2,9 @@
 
 use crate::buffers::Buffers;
 use crate::{
-    Bands, Bound, Error, GbufferPass, IrradiancePass, LightGatherPass, LightUpdatePass,
-    ResolvePass, Shading, ShadowOptions, ShadowPass, Shining, UpsampleBound, UpsamplePass,
+    Bands, Bound, Drawn, Error, GbufferPass, IrradiancePass, LightGatherPass, LightUpdatePass,
+    Pipelines, ResolvePass, Shading, ShadowOptions, ShadowPass, Shining, UpsampleBound,
+    UpsamplePass,
 };
 use sh_scene::{Pass, PassKind, Plan, Resolution, Scene};
 use wgpu::{Buffer, BufferBinding, Device, Queue};
@@ -17,11 +18,49 @@ pub(crate) struct Stage {
     pub work: Work,
 }
 
+impl Stage {
+    /// How many dispatches and draws a frame records; `drawn` is what is drawn of a band.
+    pub fn dispatches(&self, drawn: usize) -> usize {
+        let all = |bounds: &[Bound]| bounds.iter().map(Bound::dispatches).sum::<usize>();
+        match &self.work {
+            Work::LightUpdate { pass } => pass.dispatches(),
+            Work::Gbuffer { bound, .. } => all(bound) + bound.len() * drawn,
+            Work::Irradiance { bound, .. } | Work::Shadow { bound } => all(bound),
+            Work::LightGather { bound, .. } | Work::Resolve { bound, .. } => all(bound),
+            Work::Upsample { shares, bound, .. } => {
+                let bands = bound.iter().map(UpsampleBound::dispatches);
+                all(shares) + bands.sum::<usize>()
+            }
+        }
+    }
+
+    /// Bytes that have been uploaded for it alone since it was made.
+    pub fn uploaded(&self) -> u64 {
+        match &self.work {
+            Work::LightUpdate { pass } => pass.uploaded(),
+            Work::Irradiance { pass, .. } => pass.uploaded(),
+            _ => 0,
+        }
+    }
+
+    /// Name and bytes of GPU memory of a pass that this stage owns; those that several stages share are not counted.
+    pub fn bytes(&self) -> Option<(&'static str, u64)> {
+        Some(match &self.work {
+            Work::LightUpdate { pass } => ("light_update", pass.bytes()),
+            Work::Gbuffer { pass, .. } => ("gbuffer", pass.bytes()),
+            Work::Irradiance { pass, .. } => ("irradiance", pass.bytes()),
+            Work::Upsample { pass, .. } => ("upsample", pass.bytes()),
+            Work::Resolve { pass, .. } => ("resolve", pass.bytes()),
+            Work::Shadow { .. } | Work::LightGather { .. } => return None,
+        })
+    }
+}
+
 #[derive(Debug)]
 pub(crate) enum Work {
     /// Once a frame, before all bands.
     LightUpdate {
-        pass: LightUpdatePass,
+        pass: Box<LightUpdatePass>,
     },
     Gbuffer {
         pass: GbufferPass,
@@ -54,6 +93,7 @@ pub(crate) enum Work {
 /// What stages are made from.
 pub(crate) struct Setup<'a> {
     pub device: &'a Device,
+    pub pipelines: &'a Pipelines,
     pub queue: &'a Queue,
     pub scene: &'a Scene,
     pub bands: &'a Bands,
@@ -70,7 +110,7 @@ pub(crate) fn is_half(pass: &Pass) -> bool {
 
 /// The shadow pass that all passes of the plan share, if any needs one.
 pub(crate) fn shadow_pass(
-    device: &Device,
+    pipelines: &Pipelines,
     scene: &Scene,
     plan: &Plan,
 ) -> Result<Option<ShadowPass>, Error> {
@@ -84,8 +124,9 @@ pub(crate) fn shadow_pass(
         accumulation: scene.settings.accumulation,
         max_blockers: u32::try_from(blockers).unwrap_or(u32::MAX),
         max_emitters: emitters(scene),
+        ..ShadowOptions::default()
     };
-    ShadowPass::new(device, options).map(Some)
+    ShadowPass::with(pipelines, options).map(Some)
 }
 
 /// Whether spheres send light on.
@@ -94,7 +135,8 @@ pub(crate) fn sends(plan: &Plan) -> bool {
 }
 
 fn emitters(scene: &Scene) -> u32 {
-    u32::try_from(scene.lights.len()).unwrap_or(u32::MAX)
+    let shining = scene.lights.iter().filter(|lamp| lamp.shines());
+    u32::try_from(shining.count()).unwrap_or(u32::MAX)
 }
 
 impl Setup<'_> {
@@ -108,10 +150,20 @@ impl Setup<'_> {
     }
 
     fn work(&self, pass: &Pass) -> Result<Work, Error> {
-        let &Self { device, queue, .. } = self;
+        let &Self {
+            device,
+            queue,
+            pipelines,
+            ..
+        } = self;
         Ok(match pass.kind {
             PassKind::Gbuffer => {
-                let raster = GbufferPass::new(device, self.bands_of(pass)?)?;
+                let objects = &self.scene.objects;
+                let drawn = Drawn {
+                    bodies: objects.iter().any(|o| !o.mesh.triangles.is_empty()),
+                    ground: self.scene.ground.is_some(),
+                };
+                let raster = GbufferPass::drawing(pipelines, self.bands_of(pass)?, drawn)?;
                 let bound = self.each(pass, |[receivers, albedo, _]| {
                     raster.bind(device, receivers, albedo)
                 })?;
@@ -122,7 +174,7 @@ impl Setup<'_> {
             }
             PassKind::Irradiance => {
                 let order = self.scene.settings.order;
-                let light = IrradiancePass::new(device, order, emitters(self.scene))?;
+                let light = IrradiancePass::with(pipelines, order, emitters(self.scene))?;
                 let bound = self.each(pass, |[receivers, _, radiance]| {
                     light.bind(device, receivers, radiance)
                 })?;
@@ -140,13 +192,14 @@ impl Setup<'_> {
                 let bounces = self.scene.settings.indirect.unwrap_or_default().bounces;
                 let (shadow, gather) = (self.shadow()?, self.gather()?);
                 let pass = LightUpdatePass::new(device, queue, shadow, gather, bodies, bounces)?;
+                let pass = Box::new(pass);
                 Work::LightUpdate { pass }
             }
             PassKind::LightGather => self.light_gather(pass)?,
             PassKind::Upsample => self.upsample()?,
             PassKind::Resolve => {
                 let (bands, buffers) = (self.bands, self.buffers);
-                let resolve = ResolvePass::new(device, queue, bands, &self.scene.environment)?;
+                let resolve = ResolvePass::with(pipelines, queue, bands, &self.scene.environment)?;
                 let bound = (0..bands.count()).map(|band| {
                     let [receivers, albedo, radiance] = buffers.samples(bands, band);
                     let picture = buffers.picture_of(bands, band);
@@ -188,7 +241,7 @@ impl Setup<'_> {
             shadow,
             gather: self.gather,
         };
-        let pass = UpsamplePass::new(device, self.queue, bands, shadow)?;
+        let pass = UpsamplePass::new(device, self.queue, bands, shading)?;
         let shares = (0..halves.count()).map(|band| {
             let half = self.buffers.half(halves, band).ok_or(NO_HALVES)?;
             pass.bind_shares(device, half)

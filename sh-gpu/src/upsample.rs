@@ -1,11 +1,14 @@
 //! The upsample pass: light at half resolution to samples, and what has to be shaded by itself.
 
 use crate::lighting::{Lit, buffer};
-use crate::pipeline::{Kernel, Slot, buffer_entry, shader};
+use crate::pipeline::{Kernel, buffer_entry};
 use crate::records::UpsampleRule;
+use crate::scope::checked;
+use crate::slot::Slot;
 use crate::{Bands, Bound, ClusterBinding, Error, LightGatherPass, ShadowPass};
 use sh_kernels::Pass;
 use sh_scene::{Receiver, Tiles};
+use std::sync::Arc;
 use wgpu::{
     BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferBindingType, BufferUsages,
     CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
@@ -13,12 +16,28 @@ use wgpu::{
 
 /// A joint bilateral filter from half resolution to samples ([`sh_scene::upsample`]), with the shadow pass for what it
 /// does not do for, on the host's device and encoder.
+///
+/// ```no_run
+/// # use sh_gpu::{Bands, Error, HalfBinding, ShadowPass, UpsamplePass};
+/// # use wgpu::BufferBinding;
+/// # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, bands: &Bands,
+/// #     shadow: &ShadowPass, halves: HalfBinding, [receivers, radiance]: [BufferBinding; 2]) -> Result<(), Error> {
+/// let pass = UpsamplePass::new(device, queue, bands, shadow)?;
+/// let shares = pass.bind_shares(device, halves.clone())?;
+/// let bound = pass.bind(device, shadow, halves, receivers, radiance)?;
+/// // every frame, after the shadow pass at half resolution; here of a picture of one band
+/// pass.record_shares(encoder, &shares, None);
+/// pass.record(encoder, bands, 0, shadow, &bound, None);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct UpsamplePass {
-    shares: Kernel,
-    upsample: Kernel,
-    scatter: Kernel,
+    shares: Arc<Kernel>,
+    upsample: Arc<Kernel>,
+    scatter: Arc<Kernel>,
     group: BindGroup,
+    rule: Buffer,
     /// What has to be shaded anew in a band: receivers, whose objects are the samples they come from, and their
     /// radiance.
     anew: Buffer,
@@ -55,6 +74,14 @@ pub struct UpsampleBound {
     scatter: Bound,
 }
 
+impl UpsampleBound {
+    /// How many dispatches [`UpsamplePass::record`] records.
+    pub fn dispatches(&self) -> usize {
+        let gather = self.gather.as_ref().map_or(0, Bound::dispatches);
+        self.upsample.dispatches() + self.shadow.dispatches() + gather + self.scatter.dispatches()
+    }
+}
+
 /// What an [`UpsamplePass`] reads at half resolution: whole rows of tiles.
 #[derive(Clone, Debug)]
 pub struct HalfBinding<'a> {
@@ -69,74 +96,102 @@ pub struct HalfBinding<'a> {
 
 impl UpsamplePass {
     /// Makes the pipelines for the bands of a picture's samples, and sets room aside for what one band has to shade
-    /// anew. Light comes as it was prepared for `shadow`.
-    pub fn new(
+    /// anew. Light comes as it was prepared for `shading`, the passes that [`bind`](Self::bind) is given.
+    pub fn new<'a>(
         device: &Device,
         queue: &Queue,
         bands: &Bands,
-        shadow: &ShadowPass,
+        shading: impl Into<Shading<'a>>,
     ) -> Result<Self, Error> {
-        let module = shader(device, Pass::Upsample, shadow.order())?;
-        let compute = ShaderStages::COMPUTE;
-        let uniform = BufferBindingType::Uniform;
-        let [lighting, emitters] = Lit::layout(1);
-        let own = [
-            buffer_entry(0, compute, uniform, true),
-            lighting,
-            emitters,
-            buffer_entry(3, compute, uniform, false),
-        ];
-        let storage = |binding: u32, read_only| {
-            let ty = BufferBindingType::Storage { read_only };
-            buffer_entry(binding, compute, ty, false)
-        };
-        let kernel = |name, written: &[bool]| {
-            let host: Vec<_> = (0..)
-                .zip(written)
-                .map(|(binding, written)| storage(binding, !written))
-                .collect();
-            Kernel::new(device, &module, name, [&own, &host])
-        };
-        let shares = kernel("shares", &[false, true]);
-        let upsample = kernel("upsample", &[false, false, false, true, true, true, false]);
-        let scatter = kernel("scatter", &[false, false, false, true]);
-        let rule = buffer(
-            device,
-            "gaunt upsample rule",
-            size_of::<UpsampleRule>() as u64,
-            BufferUsages::UNIFORM,
-        );
-        queue.write_buffer(&rule, 0, bytemuck::bytes_of(&UpsampleRule::OURS));
-        let [lighting, emitters] = shadow.lit.entries(1);
-        let entry = |binding, resource| BindGroupEntry { binding, resource };
-        let group = shares.own(
-            device,
-            &[
-                entry(0, bands.binding()),
+        let Shading { shadow, gather } = shading.into();
+        let sent = gather.is_some();
+        checked(device, || {
+            let compute = ShaderStages::COMPUTE;
+            let uniform = BufferBindingType::Uniform;
+            let [lighting, emitters] = Lit::layout(1);
+            let own = [
+                buffer_entry(0, compute, uniform, true),
                 lighting,
                 emitters,
-                entry(3, rule.as_entire_binding()),
-            ],
-        );
-        let room = |label, count: u64, stride: u64| {
-            device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(label),
-                size: count * stride,
-                usage: BufferUsages::STORAGE,
-                mapped_at_creation: false,
+                buffer_entry(3, compute, uniform, false),
+            ];
+            let storage = |binding: u32, read_only| {
+                let ty = BufferBindingType::Storage { read_only };
+                buffer_entry(binding, compute, ty, false)
+            };
+            let kernel = |name, constants: &[(&'static str, f64)], written: &[bool]| {
+                let host: Vec<_> = (0..)
+                    .zip(written)
+                    .map(|(binding, written)| storage(binding, !written))
+                    .collect();
+                let of = (Pass::Upsample, shadow.order(), shadow.order());
+                let pipelines = &shadow.pipelines;
+                pipelines.specialised(of, name, [&own, &host], constants)
+            };
+            let lamps = shadow.lit.lamps();
+            let shares = kernel("shares", &[lamps], &[false, true])?;
+            let written = [false, false, false, true, true, true, false];
+            let upsample = kernel(
+                "upsample",
+                &[lamps, ("SENT", f64::from(u8::from(sent)))],
+                &written,
+            )?;
+            let scatter = kernel("scatter", &[], &[false, false, false, true])?;
+            let rule = buffer(
+                device,
+                "gaunt upsample rule",
+                size_of::<UpsampleRule>() as u64,
+                BufferUsages::UNIFORM,
+            );
+            queue.write_buffer(&rule, 0, bytemuck::bytes_of(&UpsampleRule::OURS));
+            let [lighting, emitters] = shadow.lit.entries(1);
+            let entry = |binding, resource| BindGroupEntry { binding, resource };
+            let group = shares.own(
+                device,
+                &[
+                    entry(0, bands.binding()),
+                    lighting,
+                    emitters,
+                    entry(3, rule.as_entire_binding()),
+                ],
+            );
+            let room = |label, count: u64, stride: u64| {
+                device.create_buffer(&wgpu::BufferDescriptor {
+                    label: Some(label),
+                    size: count * stride,
+                    usage: BufferUsages::STORAGE,
+                    mapped_at_creation: false,
+                })
+            };
+            let count = bands.receivers(0);
+            Ok(Self {
+                rule: rule.clone(),
+                anew: room("gaunt anew", count, size_of::<Receiver>() as u64),
+                shaded: room("gaunt shaded anew", count, 16),
+                clusters: room("gaunt clusters anew", count / Tiles::AREA as u64, 8),
+                nothing: room("gaunt nothing sent", 1, 16),
+                shares,
+                upsample,
+                scatter,
+                group,
             })
-        };
-        let count = bands.receivers(0);
-        Ok(Self {
-            anew: room("gaunt anew", count, size_of::<Receiver>() as u64),
-            shaded: room("gaunt shaded anew", count, 16),
-            clusters: room("gaunt clusters anew", count / Tiles::AREA as u64, 8),
-            nothing: room("gaunt nothing sent", 1, 16),
-            shares,
-            upsample,
-            scatter,
-            group,
         })
+    }
+
+    /// Bytes of GPU memory that the pass owns.
+    pub fn bytes(&self) -> u64 {
+        let Self {
+            rule,
+            anew,
+            shaded,
+            clusters,
+            nothing,
+            ..
+        } = self;
+        [rule, anew, shaded, clusters, nothing]
+            .map(Buffer::size)
+            .iter()
+            .sum()
     }
 
     /// Binds receivers and radiance at half resolution for [`record_shares`](Self::record_shares).

@@ -1,7 +1,7 @@
 //! The records of the kernels and those of Rust have the same layout, as naga lays WGSL out.
 
 use naga::proc::Layouter;
-use sh_gpu::records::{Band, BlockingRule, Body, Lighting, Sender, UpsampleRule};
+use sh_gpu::records::{Band, Body, Lighting, ScreenSource, Sender, UpsampleRule, VertexSource};
 use sh_kernels::{MAX_ORDER, MIN_ORDER, Pass, source};
 use sh_scene::surface::SurfacePoint;
 use sh_scene::{Emitter, Node, Receiver};
@@ -37,6 +37,13 @@ macro_rules! same_layout {
 }
 
 #[test]
+fn constants_are_the_same() {
+    let text = source(Pass::Shadow, 4).unwrap();
+    let line = format!("const NEGLIGIBLE: f32 = {};", sh_scene::NEGLIGIBLE);
+    assert!(text.contains(&line), "{line}");
+}
+
+#[test]
 fn records_are_laid_out_alike() {
     for order in MIN_ORDER..=MAX_ORDER {
         for pass in Pass::ALL {
@@ -52,7 +59,10 @@ fn records_are_laid_out_alike() {
             );
         }
         for pass in Pass::ALL {
-            if matches!(pass, Pass::Gbuffer | Pass::Resolve) {
+            if matches!(
+                pass,
+                Pass::Gbuffer | Pass::Resolve | Pass::Vertices | Pass::Screen
+            ) {
                 continue;
             }
             same_layout!(
@@ -94,7 +104,6 @@ fn records_are_laid_out_alike() {
                 }
             );
         }
-        same_layout!(Pass::LightGather, order, BlockingRule { by_bodies });
         same_layout!(
             Pass::LightUpdate,
             order,
@@ -102,6 +111,7 @@ fn records_are_laid_out_alike() {
                 position,
                 direction,
                 normal,
+                share,
                 albedo
             }
         );
@@ -129,6 +139,33 @@ fn records_are_laid_out_alike() {
             }
         );
     }
+}
+
+#[test]
+fn what_hosts_bring_is_laid_out_alike() {
+    same_layout!(
+        Pass::Vertices,
+        MIN_ORDER,
+        VertexSource {
+            world_from_object,
+            first,
+            stride,
+            normal,
+            object
+        }
+    );
+    same_layout!(
+        Pass::Screen,
+        MIN_ORDER,
+        ScreenSource {
+            world_from_clip,
+            size,
+            first_row,
+            empty,
+            scale,
+            bias
+        }
+    );
 }
 
 #[test]

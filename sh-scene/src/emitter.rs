@@ -55,6 +55,11 @@ pub struct Emitter {
 }
 
 impl AreaLight {
+    /// Whether it sends out any light: one of no radiance is no work for anybody.
+    pub fn shines(&self) -> bool {
+        self.radiance.iter().any(|c| *c > 0.0)
+    }
+
     /// The light as the passes of an SH order read it.
     ///
     /// # Errors

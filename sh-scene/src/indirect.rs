@@ -57,6 +57,20 @@ impl Blocking {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Discs, Self::Runs, Self::Sphere, Self::Object];
 
+    /// Whether intersecting spheres of one body hide each other, as those of two bodies do, so that together they give
+    /// what their union gives. A sphere then needs light for every direction ([`SurfaceSamples::stands`]). Otherwise
+    /// what one hides of the other is dark in its samples, whatever it is seen from (Guerrero et al. 2008, section 4.2).
+    ///
+    /// [`SurfaceSamples::stands`]: crate::SurfaceSamples::stands
+    ///
+    /// ```
+    /// use sh_scene::Blocking;
+    /// assert!(Blocking::Discs.within_bodies() && !Blocking::Runs.within_bodies());
+    /// ```
+    pub const fn within_bodies(self) -> bool {
+        matches!(self, Self::Discs)
+    }
+
     /// The name that files and messages use.
     ///
     /// ```

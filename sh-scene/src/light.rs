@@ -101,13 +101,16 @@ impl Light {
         Ok(light)
     }
 
-    /// The same light and these lights besides.
+    /// The same light and these lights besides; those without radiance are left out.
     ///
     /// # Errors
     /// Where one of them is none; see [`AreaLight::emitter`].
     pub fn with_lights(mut self, lights: &[AreaLight]) -> Result<Self, LightError> {
         for light in lights {
-            self.emitters.push(light.emitter(self.order)?);
+            let emitter = light.emitter(self.order)?;
+            if light.shines() {
+                self.emitters.push(emitter);
+            }
         }
         Ok(self)
     }

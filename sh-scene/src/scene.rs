@@ -49,6 +49,15 @@ pub struct Object {
 }
 
 impl Object {
+    /// Its blocker spheres in world space.
+    pub fn world_spheres(&self) -> impl Iterator<Item = Sphere> {
+        let scale = self.transform.matrix3.x_axis.length();
+        self.spheres.iter().map(move |s| Sphere {
+            center: self.transform.transform_point3(s.center.into()).into(),
+            radius: s.radius * scale,
+        })
+    }
+
     /// The lowest and the highest corner of the mesh's bounding box in world space, or none for an empty
     /// mesh.
     pub fn bounds(&self) -> Option<[Vec3; 2]> {
@@ -169,12 +178,19 @@ impl Scene {
     /// # Errors
     /// Where the settings' order or window is none that there is, or a light is none.
     pub fn light(&self) -> Result<Light, LightError> {
+        self.environment_light()?.with_lights(&self.lights)
+    }
+
+    /// The light of the environment alone.
+    ///
+    /// # Errors
+    /// Where the settings' order or window is none that there is.
+    pub fn environment_light(&self) -> Result<Light, LightError> {
         let Settings { order, window, .. } = self.settings;
-        let environment = match window {
+        match window {
             Some(window) => Light::project(&self.environment, self.ground, order, window),
             None => Light::project_smoothly(&self.environment, self.ground, order),
-        };
-        environment?.with_lights(&self.lights)
+        }
     }
 
     /// The tree of all blockers, as they stand now.
@@ -194,15 +210,8 @@ impl Scene {
 
     /// All blocker spheres in world space, object by object.
     pub fn world_spheres(&self) -> Vec<Sphere> {
-        let mut spheres = Vec::new();
-        for object in &self.objects {
-            let scale = object.transform.matrix3.x_axis.length();
-            spheres.extend(object.spheres.iter().map(|s| Sphere {
-                center: object.transform.transform_point3(s.center.into()).into(),
-                radius: s.radius * scale,
-            }));
-        }
-        spheres
+        let objects = self.objects.iter();
+        objects.flat_map(Object::world_spheres).collect()
     }
 }
 

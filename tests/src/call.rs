@@ -1,6 +1,6 @@
 //! Generated routines by name and order.
 
-use sh_core::generated;
+use sh_core::Routines;
 
 fn array<L: Copy, const N: usize>(values: &[L]) -> [L; N] {
     values.try_into().expect("a case has the routine's shapes")

@@ -51,6 +51,9 @@ struct Report {
     /// Those that send light on, and lamps.
     lights: usize,
     clusters: usize,
+    /// Bytes of GPU memory that the shadow pass and its buffers take.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gpu_bytes: Option<u64>,
     spheres_per_receiver: f64,
     /// Pairs of a receiver and a blocker of its cut, over the time of the shadow stage, exponential and lights
     /// included.
@@ -129,6 +132,7 @@ fn measure(scene: Name, backend: Backend) -> Result<Report, Error> {
             accumulation: ORDER,
             max_blockers: world.spheres.len() as u32,
             max_emitters: world.light.emitters.len() as u32,
+            ..ShadowOptions::default()
         };
         Shadows::new(gpu, world.receivers.len(), &world.clusters, options)
     });
@@ -214,6 +218,7 @@ fn measure(scene: Name, backend: Backend) -> Result<Report, Error> {
         spheres: world.spheres.len(),
         lights: senders + world.light.emitters.len(),
         clusters: world.clusters.len(),
+        gpu_bytes: shadows.as_ref().map(Shadows::bytes),
         spheres_per_receiver: pairs / world.receivers.len() as f64,
         receiver_spheres_per_s: pairs / (of(&fast, SHADOW) * 1e-3),
         fma_peak_share: of_inner(|inner| inner.share),
@@ -250,6 +255,9 @@ impl fmt::Display for Report {
             "{scene}: {receivers} receivers ({moving_receivers} of them move), {spheres} spheres, {clusters} clusters,\n\
              SH order {ORDER}, an environment and {lights} other lights. Shaded by {device}; clock: {clock}.\n"
         )?;
+        if let Some(bytes) = self.gpu_bytes {
+            writeln!(f, "  {:<12} {bytes:>8} bytes", "GPU memory")?;
+        }
         for Stage { name, ms } in &self.stages {
             writeln!(f, "  {name:<12} {ms:>8.3} ms")?;
         }

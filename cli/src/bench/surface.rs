@@ -67,6 +67,11 @@ impl Surface {
             now.push(points.iter().copied());
             rest.push((*segment, points));
         }
+        let sphere = |&(center, radius): &(Vec3, f32)| Sphere {
+            center: center.into(),
+            radius,
+        };
+        now.expose(&spheres.iter().map(sphere).collect::<Vec<_>>());
         let mut surface = Self {
             now,
             segments: body.segments.len(),

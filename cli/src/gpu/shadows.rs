@@ -25,6 +25,7 @@ pub struct Shadows<'a> {
     bound: Bound,
     receivers: Buffer,
     radiance: Buffer,
+    clusters: Buffer,
     staging: Buffer,
     stamps: Option<Stamps>,
 }
@@ -82,8 +83,15 @@ impl<'a> Shadows<'a> {
             staging: gpu.staging(radiance.size()),
             receivers: of_receivers,
             radiance,
+            clusters: records,
             stamps: Stamps::new(gpu, 2),
         })
+    }
+
+    /// Bytes of GPU memory: receivers, their clusters, radiance, and what the pass owns.
+    pub fn bytes(&self) -> u64 {
+        let host = [&self.receivers, &self.radiance, &self.clusters];
+        self.pass.bytes() + host.map(Buffer::size).iter().sum::<u64>()
     }
 
     /// What [`frame`](Self::frame) takes the time with.

@@ -5,15 +5,13 @@ use crate::Error;
 use crate::gpu::{Gpu, Stamps};
 use crate::report::Times;
 use sh_gpu::Renderer;
-use sh_scene::{Forest, Light, Scene};
+use sh_scene::{Scene, Tracker};
 use std::time::Instant;
 use wgpu::Buffer;
 
 /// What is made for the first picture and used for all.
 pub struct Painter {
     renderer: Renderer,
-    /// The tree of the first picture's blockers, with new bounds for each.
-    blockers: Forest,
     stamps: Option<Stamps>,
     staging: Buffer,
 }
@@ -24,27 +22,26 @@ impl Painter {
         Ok(Self {
             stamps: Stamps::new(gpu, renderer.timestamps()),
             staging: gpu.staging(renderer.picture().size()),
-            blockers: scene.forest(),
             renderer,
         })
     }
 }
 
-/// Runs the plan. The picture is linear radiance, row by row from the top.
+/// Runs the plan, with the light that the tracker has. The picture is linear radiance, row by row from the top.
 pub fn picture(
     gpu: &Gpu,
     painter: &mut Option<Painter>,
-    (scene, light): (&Scene, &Light),
+    (scene, tracker): (&Scene, &mut Tracker),
     shot: &Shot,
     times: &mut Times,
 ) -> Result<Vec<[f32; 3]>, Error> {
     let painter = times.measure("upload", || -> Result<&mut Painter, Error> {
         let painter = match painter {
             Some(painter) => {
-                if shot.motion.bends() {
+                if shot.changes.meshes {
                     painter.renderer.update_meshes(&gpu.queue, scene)?;
                 }
-                if shot.motion.turns() {
+                if shot.changes.environment {
                     let environment = &scene.environment;
                     painter
                         .renderer
@@ -54,11 +51,14 @@ pub fn picture(
             }
             none => none.insert(Painter::new(gpu, scene, shot)?),
         };
-        let Painter {
-            renderer, blockers, ..
-        } = &mut *painter;
-        blockers.update(&scene.world_spheres());
-        renderer.prepare(&gpu.queue, scene, blockers, light, shot.view)?;
+        if shot.plan.is_blocked() {
+            tracker.place(scene);
+        }
+        if let Some(light) = tracker.light() {
+            let blockers = tracker.forest();
+            let renderer = &painter.renderer;
+            renderer.prepare(&gpu.queue, scene, blockers, light, shot.view)?;
+        }
         gpu.submit(|_| {})?;
         Ok(painter)
     })?;

@@ -1,7 +1,7 @@
 //! `gaunt render`: from a scene file to a picture file, or to one for each frame of its motion.
 
 mod frames;
-mod gpu;
+pub(crate) mod gpu;
 mod reference;
 mod settings;
 
@@ -15,9 +15,9 @@ use crate::image::{Output, Picture, exposure};
 use crate::progress::Progress;
 use crate::report::{Body, Report, Sequence, Surface, Times, planned};
 use frames::Files;
-use sh_bake::{Cache, ClipChoice, Loaded};
+use sh_bake::{Cache, Choices, ClipChoice, Loaded};
 use sh_scene::motion::Motion;
-use sh_scene::{Plan, View};
+use sh_scene::{Plan, Tracker, View};
 use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -82,11 +82,18 @@ impl Default for Options {
 }
 
 /// Everything that is the same for all frames but the scene's state.
-struct Shot<'a> {
-    plan: &'a Plan,
-    view: &'a View,
+pub(crate) struct Shot<'a> {
+    pub(crate) plan: &'a Plan,
+    pub(crate) view: &'a View,
     /// What of the scene changes from frame to frame.
-    motion: &'a Motion,
+    pub(crate) changes: Changes,
+}
+
+/// What has to be uploaded anew for a frame, besides what always is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Changes {
+    pub(crate) meshes: bool,
+    pub(crate) environment: bool,
 }
 
 /// A backend that was chosen: what it is and why.
@@ -124,7 +131,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
         None => choose(options.backend),
     })?;
     let settings = scene.settings;
-    let mut light = times.measure("light", || scene.light())?;
+    let light = times.measure("light", || scene.light())?;
     // One for all frames, so that none flickers.
     let exposure = exposure(&light) * options.stops.exp2();
     let plan = Plan::new(&scene);
@@ -137,6 +144,13 @@ pub fn render(options: &Options) -> Result<Report, Error> {
 
     progress.say("rendering");
     let mut painter = None;
+    // The scene as it was loaded gives the tree of blockers its topology, so that no frame depends on others.
+    let (mut tracker, mut frames) = (Tracker::default(), sh_cpu::Frames::default());
+    match &choice.gpu {
+        Some(_) if plan.is_blocked() => tracker.place(&scene),
+        Some(_) => {}
+        None => frames.start(&scene, &plan),
+    }
     let numbers = options.frames.as_ref().map_or(0..1, |f| f.numbers.clone());
     for (done, number) in numbers.clone().enumerate() {
         let done = |part: f32| progress.set((done as f32 + part) / numbers.len() as f32);
@@ -150,18 +164,19 @@ pub fn render(options: &Options) -> Result<Report, Error> {
                 reference::picture(reference, &scene, &view, &mut times, &done)?
             }
             (None, Some(gpu)) => {
-                if motion.turns() {
-                    light = times.measure("light", || scene.light())?;
-                }
+                times.measure("light", || tracker.relight(&scene))?;
                 let shot = Shot {
                     plan: &plan,
                     view: &view,
-                    motion: &motion,
+                    changes: Changes {
+                        meshes: motion.bends(),
+                        environment: motion.turns(),
+                    },
                 };
-                gpu::picture(gpu, &mut painter, (&scene, &light), &shot, &mut times)?
+                gpu::picture(gpu, &mut painter, (&scene, &mut tracker), &shot, &mut times)?
             }
             (None, None) => {
-                let frame = sh_cpu::render(&scene, &plan, (width, height), &done)?;
+                let frame = frames.render(&scene, &plan, (width, height), &done)?;
                 for (stage, time) in frame.stages {
                     times.add(stage, time.as_secs_f64());
                 }
@@ -241,21 +256,32 @@ fn check_reference(options: &Options) -> Result<(), Error> {
 
 /// The scene with what the command line says instead.
 pub(crate) fn load(options: &Options, progress: &Progress) -> Result<Loaded, Error> {
-    options.settings.check()?;
     let tell = |step: sh_bake::Progress| progress.set(step.done as f32 / step.total.max(1) as f32);
+    load_with(options, Choices::default(), &tell)
+}
+
+/// As [`load`], with more or fewer spheres and surface samples; the clip is that of the options.
+pub(crate) fn load_with(
+    options: &Options,
+    choices: Choices,
+    tell: &(dyn Fn(sh_bake::Progress) + Sync),
+) -> Result<Loaded, Error> {
+    options.settings.check()?;
     let clip = match (&options.clip, &options.frames) {
         (Some(name), _) => ClipChoice::Named(name),
         (None, Some(_)) => ClipChoice::First,
         (None, None) => ClipChoice::None,
     };
+    let choices = Choices { clip, ..choices };
+    let cache = options.cache.as_ref();
     let mut loaded = match &options.scene {
-        Some(path) => sh_bake::load_scene_with(path, clip, options.cache.as_ref(), &tell)?,
+        Some(path) => sh_bake::load_scene_with(path, choices, cache, tell)?,
         None if options.clip.is_some() => {
             let sentence = "--clip chooses a clip of a mesh file, and the built-in scene has none";
             return Err(Error::Usage(sentence.into()));
         }
         None => {
-            let (scene, report) = sh_bake::default_scene(options.cache.as_ref(), &tell);
+            let (scene, report) = sh_bake::default_scene_with(choices, cache, tell);
             Loaded {
                 scene,
                 motion: Motion::default(),

@@ -2,8 +2,11 @@
 
 mod corpus;
 mod eval;
+mod export;
 mod frames;
 mod misuse;
+mod plan;
+mod readme;
 mod render;
 mod tables;
 mod truth;

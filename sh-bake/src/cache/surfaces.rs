@@ -9,8 +9,8 @@ use sha2::{Digest, Sha256};
 const MAGIC: &Magic = b"gaunt surface 1\n";
 /// No file of ours is larger: it holds 4096 spheres.
 const LARGEST: u64 = 1 << 25;
-/// Numbers of a point: position, normal, albedo, direction.
-const NUMBERS: usize = 10;
+/// Numbers of a point: position, normal, albedo, share, direction.
+const NUMBERS: usize = 11;
 
 impl Cache {
     /// The samples that were kept under a key for so many spheres, if they are there and whole.
@@ -70,6 +70,7 @@ fn encoded(samples: &SurfaceSamples) -> Vec<u8> {
         for number in [point.position, point.normal, point.albedo].as_flattened() {
             bytes.extend(number.to_le_bytes());
         }
+        bytes.extend(point.share.to_le_bytes());
         bytes.extend(point.direction.to_le_bytes());
     }
     bytes
@@ -85,15 +86,17 @@ fn decoded(bytes: &[u8]) -> Option<SurfaceSamples> {
     if !rest.is_empty() || total != points.len() as u64 || !points.iter().all(known) {
         return None;
     }
-    let mut points = points
-        .iter()
-        .map(|&[a, b, c, d, e, f, g, h, i, direction]| SurfacePoint {
-            position: [a, b, c].map(f32::from_bits),
-            normal: [d, e, f].map(f32::from_bits),
-            albedo: [g, h, i].map(f32::from_bits),
-            direction,
-            ..Default::default()
-        });
+    let mut points =
+        points.iter().map(
+            |&[a, b, c, d, e, f, g, h, i, share, direction]| SurfacePoint {
+                position: [a, b, c].map(f32::from_bits),
+                normal: [d, e, f].map(f32::from_bits),
+                albedo: [g, h, i].map(f32::from_bits),
+                share: f32::from_bits(share),
+                direction,
+                ..Default::default()
+            },
+        );
     let mut samples = SurfaceSamples::default();
     for count in counts {
         samples.push(points.by_ref().take(*count as usize));
@@ -113,6 +116,7 @@ mod tests {
             direction: 30 * k,
             normal: [0.0, 1.0, 0.0],
             albedo: [0.2, 0.4, 0.6],
+            share: 0.75,
             ..Default::default()
         }));
         samples.push([]);

@@ -72,13 +72,16 @@ pub(crate) fn sample(
         if cached {
             tell(STEPS * spheres.len());
         }
-        let samples = found.unwrap_or_else(|| {
+        let mut samples = found.unwrap_or_else(|| {
             let samples = bake_with(&parts, spheres, &|| tell(STEPS));
             if let Some(cache) = cache {
                 cache.keep_surface(key, &samples);
             }
             samples
         });
+        if cached {
+            samples.expose(spheres);
+        }
         (key.clone(), (samples, start.elapsed(), cached))
     };
     let found: Vec<(String, Found)> = wanted.par_iter().map(find).collect();

@@ -59,7 +59,7 @@ fn misses(mesh: &Mesh, material: &Material, spheres: &[Sphere]) -> [f64; 2] {
             let rays = 2 * 128 * 256;
             for d in stratified(128, 256) {
                 let d = d.as_dvec3().normalize();
-                if let Some(crossing) = seat.seen(d) {
+                if let Seen::Surface(crossing) = seat.seen(d) {
                     let share = 4.0 * std::f64::consts::PI / rays as f64;
                     let y =
                         Sh4d::basis(d) * (share * f64::from(paint::albedo(&parts[0], &crossing).x));
@@ -73,7 +73,7 @@ fn misses(mesh: &Mesh, material: &Material, spheres: &[Sphere]) -> [f64; 2] {
                 let y = Sh(std::array::from_fn(|k| f64::from(cell[k])));
                 let y = y * light(point.normal.into());
                 radiance += y;
-                emission += y * f64::from(point.albedo[0]);
+                emission += y * f64::from(point.reflectance(false)[0]);
             }
             all += truth.norm().powi(2);
             ours += (emission - truth).norm().powi(2);

@@ -5,8 +5,11 @@
 //! share of the sphere, 36 to 48 in each direction's Voronoi cell, and one through the direction itself:
 //!
 //! - the point is what is seen in the direction itself, or else in the nearest of the cell's in which anything is;
-//! - its albedo is the mean over the cell's rays, of which those that see nothing are black, so that a cell that is
-//!   covered by half is half as bright.
+//! - its albedo is the mean over the cell's rays, but for those on which only other spheres have surface; `share` says how
+//!   many are left. Rays that meet nothing at all, outside of the body, count as black.
+//!
+//! A cell outside of the body has a black point, so that its neighbours do not stand for it
+//! ([`SurfaceSamples::stands`]).
 //!
 //! The paper has the albedo as an SH vector instead, and multiplies it with the light's (eq. 11): what either has beyond
 //! the order is lost before the product. Here a cell's light is multiplied with its albedo, and only their sum is cut
@@ -30,14 +33,14 @@ pub(crate) use bodies::sample;
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
-use rules::Body;
+use rules::{Body, Seen};
 use sh_scene::surface::{DIRECTIONS, cell_of, directions, stratified};
 use sh_scene::{Material, Mesh, Sphere, SurfacePoint, SurfaceSamples};
 use shell::Crossing;
 use std::sync::LazyLock;
 
 /// Changes whenever the same body may get other samples than before: those that were kept are then of no use.
-pub(crate) const SURFACE_VERSION: u32 = 1;
+pub(crate) const SURFACE_VERSION: u32 = 2;
 
 /// A mesh and how it reflects.
 pub(crate) type Part<'a> = (&'a Mesh, &'a Material);
@@ -80,6 +83,7 @@ pub(crate) fn bake_with(
     for points in points {
         samples.push(points);
     }
+    samples.expose(spheres);
     samples
 }
 
@@ -87,6 +91,10 @@ pub(crate) fn bake_with(
 #[derive(Clone, Copy, Default)]
 struct Cell {
     rays: u32,
+    /// Those that see something, and those that meet nothing at all.
+    seeing: u32,
+    open: u32,
+    /// The sum over all.
     albedo: Vec3,
     /// What is seen nearest to the direction, along which, and the cosine between.
     nearest: Option<(f64, DVec3, Crossing)>,
@@ -101,29 +109,52 @@ fn points(body: &Body, parts: &[Part], sphere: usize) -> Vec<SurfacePoint> {
     for (ray, j) in rays() {
         let cell = &mut cells[*j];
         cell.rays += 1;
-        if let Some(crossing) = seat.seen(*ray) {
-            cell.albedo += paint::albedo(&parts[crossing.part as usize], &crossing);
-            let cosine = ray.dot(axis(*j));
-            if cell.nearest.is_none_or(|(before, ..)| cosine > before) {
-                cell.nearest = Some((cosine, *ray, crossing));
+        match seat.seen(*ray) {
+            Seen::Surface(crossing) => {
+                cell.seeing += 1;
+                cell.albedo += paint::albedo(&parts[crossing.part as usize], &crossing);
+                let cosine = ray.dot(axis(*j));
+                if cell.nearest.is_none_or(|(before, ..)| cosine > before) {
+                    cell.nearest = Some((cosine, *ray, crossing));
+                }
             }
+            Seen::Others => {}
+            Seen::Nothing => cell.open += 1,
         }
     }
     let mut points = Vec::new();
+    let mut dark = true;
     for (j, cell) in cells.iter().enumerate() {
-        let straight = seat.seen(axis(j)).map(|crossing| (axis(j), crossing));
-        let nearest = cell.nearest.map(|(_, ray, crossing)| (ray, crossing));
-        let Some((ray, crossing)) = straight.or(nearest) else {
-            continue;
+        let straight = match seat.seen(axis(j)) {
+            Seen::Surface(crossing) => Some((axis(j), crossing)),
+            Seen::Others | Seen::Nothing => None,
         };
-        let normal = paint::normal(&parts[crossing.part as usize], &crossing, ray);
+        let nearest = cell.nearest.map(|(_, ray, crossing)| (ray, crossing));
+        let (place, normal) = match straight.or(nearest) {
+            Some((ray, crossing)) => {
+                dark = false;
+                let normal = paint::normal(&parts[crossing.part as usize], &crossing, ray);
+                let normal = normal.as_vec3().normalize_or(ray.as_vec3());
+                (seat.place(ray, crossing.distance), normal)
+            }
+            None if 2 * cell.open > cell.rays => {
+                (seat.place(axis(j), seat.radius()), axis(j).as_vec3())
+            }
+            None => continue,
+        };
+        let own = cell.seeing + cell.open;
         points.push(SurfacePoint {
-            position: seat.place(ray, &crossing).as_vec3().to_array(),
+            position: place.as_vec3().to_array(),
             direction: j as u32,
-            normal: normal.as_vec3().normalize_or(ray.as_vec3()).to_array(),
-            albedo: (cell.albedo / cell.rays.max(1) as f32).to_array(),
+            normal: normal.to_array(),
+            share: own as f32 / cell.rays.max(1) as f32,
+            albedo: (cell.albedo / own.max(1) as f32).to_array(),
             ..Default::default()
         });
+    }
+    if dark {
+        // It would take time to light what reflects nothing.
+        points.clear();
     }
     points
 }

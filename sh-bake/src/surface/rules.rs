@@ -37,6 +37,17 @@ enum Sides {
     Open(Winding),
 }
 
+/// What is seen of a sphere along a line.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Seen {
+    /// A place that belongs to it.
+    Surface(Crossing),
+    /// Only places that belong to other spheres.
+    Others,
+    /// No place at all: the line meets the body nowhere, or leaves it by a hole.
+    Nothing,
+}
+
 /// One sphere and what is near it.
 pub(super) struct Seat<'a> {
     shell: &'a Shell,
@@ -106,7 +117,7 @@ impl Body {
 
 impl Seat<'_> {
     /// What is seen of the sphere from a direction, a unit vector.
-    pub(super) fn seen(&mut self, direction: DVec3) -> Option<Crossing> {
+    pub(super) fn seen(&mut self, direction: DVec3) -> Seen {
         let mut found = std::mem::take(&mut self.found);
         found.clear();
         self.shell.crossings(self.center, direction, &mut found);
@@ -125,10 +136,14 @@ impl Seat<'_> {
             let farther = b.distance.total_cmp(&a.distance);
             farther.then_with(|| place(a).cmp(&place(b)))
         });
-        let seen = found.iter().copied();
-        let seen = seen
-            .into_iter()
+        let own = found
+            .iter()
             .find(|c| self.owns(self.center + direction * c.distance));
+        let seen = match own {
+            Some(crossing) => Seen::Surface(*crossing),
+            None if found.is_empty() => Seen::Nothing,
+            None => Seen::Others,
+        };
         self.found = found;
         seen
     }
@@ -163,8 +178,12 @@ impl Seat<'_> {
         }
     }
 
-    /// Where a crossing is.
-    pub(super) fn place(&self, direction: DVec3, crossing: &Crossing) -> DVec3 {
-        self.center + direction * crossing.distance
+    /// A place at a distance from the centre.
+    pub(super) fn place(&self, direction: DVec3, distance: f64) -> DVec3 {
+        self.center + direction * distance
+    }
+
+    pub(super) fn radius(&self) -> f64 {
+        self.radius
     }
 }

@@ -2,8 +2,14 @@
 //!
 //! A ball of angular radius θ in the direction s, wholly above the tangent plane, as the self-shadow rule makes it, gives
 //! sin² θ (N · s) of what a sky of its radiance would: no approximation. A nearer sphere covers a part of its disc
-//! ([`Routines::disc_covered`]), and leaves the rest; what several leave is the product of what each leaves, as if they
-//! covered parts that have nothing to do with each other.
+//! ([`Routines::disc_covered`]).
+//!
+//! Several nearer spheres may overlap each other, but what is seen of them does not. So spheres are gone through from the
+//! nearest on, and each takes from a farther one what it covers of that, times the share of itself that is seen, as if
+//! that were spread evenly over its disc; these add up. Against rays through bodies of 16 to 56 overlapping balls (thick
+//! chains, blobs, boxes, and one of both kinds) it gives 0.6 to 1.3 of what is seen of them in the mean over twelve
+//! directions, where the product of what each leaves gives 0.14 to 0.9. Where the order of two changes gradually, their
+//! shares count from the middle of the change on, so that nothing jumps there.
 //!
 //! Only spheres whose discs may meet somewhere in the cluster are looked at, of which there are few.
 
@@ -14,8 +20,9 @@ use crate::light_cut::{ALWAYS, LightCut, Met};
 use sh_core::{Lane, Routines};
 use std::f64::consts::PI;
 
-/// Spheres whose discs are kept; those of further ones are computed anew for every pair.
-pub(crate) const KEPT: usize = 96;
+/// Spheres whose discs are kept. Of a cut with more of them, discs are computed anew for every pair, and what several
+/// leave of one is the product of what each leaves.
+pub(crate) const KEPT: usize = 128;
 
 /// More than three angles err by together, in radians: discs that are apart by so much cover nothing of each other.
 const ANGLES_ERR: f64 = 3e-4;
@@ -28,6 +35,8 @@ pub struct Disc<L> {
     angle: L,
     cosine: L,
     sine: L,
+    /// What nearer ones leave of it.
+    left: L,
 }
 
 /// What [`crate::Outline::gathered_discs`] computes, to be inlined there.
@@ -42,7 +51,8 @@ pub(crate) fn discs<L: Lane, const C: usize>(
 where
     [L; C]: Routines<L>,
 {
-    let zero = position[0].lift(0.0);
+    let (zero, one) = (position[0].lift(0.0), position[0].lift(1.0));
+    let all_kept = cut.spheres.len() <= KEPT;
     let mut at = At::new(position, normal, lights);
     for (kept, met) in kept.iter_mut().zip(&cut.spheres) {
         *kept = disc(&at, met);
@@ -51,7 +61,8 @@ where
     for (i, met) in cut.spheres.iter().enumerate() {
         let hiders = &cut.hiders[first..met.hiders_end as usize];
         first = met.hiders_end as usize;
-        if !lights.shines(met.node) {
+        let shines = lights.shines(met.node);
+        if !shines && !all_kept {
             continue;
         }
         let own = match kept.get(i) {
@@ -61,8 +72,9 @@ where
         let Seen {
             sine, direction, ..
         } = own.seen;
-        let mut visible = sine * sine * dot(direction, normal).max(zero);
-        if !L::any(zero.lt(visible)) {
+        let open = sine * sine * dot(direction, normal).max(zero);
+        let mut left = one;
+        if !L::any(zero.lt(open)) {
             continue;
         }
         for hider in hiders {
@@ -83,15 +95,29 @@ where
             }
             let away = angle(towards);
             let covered = <[L; C]>::disc_covered(own.angle, other.angle, away);
-            let hidden = if hider.share == ALWAYS {
-                covered
-            } else {
+            // What is seen of it, where it comes first.
+            let (mut hidden, mut seen) = (covered, other.left);
+            if hider.share != ALWAYS {
                 let (farther, nearer) = (at.power(met), at.power(&cut.spheres[j]));
-                covered * at.share(hider.share, farther, nearer)
+                let share = at.share(hider.share, farther, nearer);
+                hidden = covered * share;
+                let ahead = (share + share - one).max(zero);
+                seen = (seen - one).mul_add(ahead, one);
+            }
+            let part = match all_kept {
+                true if j < i => seen,
+                true => one,
+                false => left,
             };
-            visible = (-visible).mul_add(hidden, visible);
+            left = (-part).mul_add(hidden, left);
         }
-        at.add::<C>(met, &own.seen, visible);
+        left = left.max(zero);
+        if let Some(kept) = kept.get_mut(i) {
+            kept.left = left;
+        }
+        if shines {
+            at.add::<C>(met, &own.seen, open * left);
+        }
     }
     at.bounded()
 }
@@ -110,6 +136,7 @@ impl<L: Lane> Disc<L> {
             angle: zero,
             cosine: one,
             sine: zero,
+            left: one,
         }
     }
 }
@@ -125,6 +152,7 @@ fn disc<L: Lane>(at: &At<L>, met: &Met) -> Disc<L> {
         angle: angle(cosine),
         cosine,
         sine: (-cosine).mul_add(cosine, one).max(zero).sqrt(),
+        left: one,
     }
 }
 

@@ -283,6 +283,37 @@ fn compare(bodies: &[(Vec<Sphere>, [f32; 3])]) {
     }
 }
 
+/// Intersecting spheres of one body hide each other: together they give what is seen of their union, and not the sum.
+#[test]
+fn spheres_of_one_body_give_what_their_union_gives() {
+    let bar = |count: usize, radius: f32| -> Vec<Sphere> {
+        let at = |i: usize| 2.0 * i as f32 / (count - 1) as f32 - 1.0;
+        (0..count)
+            .map(|i| ball(vec3(at(i), 1.5, 0.2 * at(i)), radius))
+            .collect()
+    };
+    let receivers = floor(12, 2.0);
+    // Many that overlap are known less well: what several hide of one is taken for independent.
+    for (count, radius, most, less) in [
+        (2, 1.1, 0.01, 0.95),
+        (3, 0.7, 0.02, 0.95),
+        (7, 0.5, 0.03, 0.8),
+    ] {
+        let spheres = bar(count, radius);
+        let bright = Bright::new(&[(spheres.clone(), WHITE)], 4);
+        let error = bright.error(Blocking::Discs, &receivers);
+        let sum: f32 = (spheres.iter())
+            .map(|s| Bright::new(&[(vec![*s], WHITE)], 4).at(Blocking::Discs, &receivers)[70][0])
+            .sum();
+        let found = bright.at(Blocking::Discs, &receivers)[70][0];
+        println!("{count} spheres: error {error}, {found} of {sum}");
+        assert!(
+            error < most && found < less * sum,
+            "{count}: {error}, {found} of {sum}"
+        );
+    }
+}
+
 #[test]
 fn a_hundred_bodies_are_bounded_and_near_the_truth() {
     let spheres: Vec<[f32; 4]> = (0..100)

@@ -15,14 +15,28 @@ pub struct Gpu {
 impl Gpu {
     /// The first adapter there is, or why there is none.
     pub fn new() -> Result<Self, String> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+        Self::with(wgpu::Limits::default())
+    }
+
+    /// With exactly these limits.
+    pub fn with(limits: wgpu::Limits) -> Result<Self, String> {
+        let descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+        Self::of(wgpu::Instance::new(descriptor), limits)
+    }
+
+    /// Another device of the same instance.
+    pub fn sibling(&self) -> Result<Self, String> {
+        Self::of(self.instance.clone(), wgpu::Limits::default())
+    }
+
+    fn of(instance: wgpu::Instance, limits: wgpu::Limits) -> Result<Self, String> {
         let adapter = pollster::block_on(instance.request_adapter(&Default::default()))
             .map_err(|error| format!("there is no GPU adapter: {error}"))?;
         let timestamps = adapter.features() & wgpu::Features::TIMESTAMP_QUERY;
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("tests"),
             required_features: timestamps,
-            required_limits: wgpu::Limits::default(),
+            required_limits: limits,
             ..Default::default()
         }))
         .map_err(|error| format!("{} gives no device: {error}", adapter.get_info().name))?;

@@ -34,6 +34,7 @@ pub fn offsets_and_sizes_are_respected(gpu: &Gpu) {
         accumulation: 3,
         max_blockers: 100,
         max_emitters: 0,
+        ..ShadowOptions::default()
     };
     let pass = ShadowPass::new(&gpu.device, options).unwrap();
     // Receivers 8 to 78, radiance from element 48 on.
@@ -113,6 +114,7 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
             accumulation,
             max_blockers: 3,
             max_emitters: 1,
+            ..ShadowOptions::default()
         };
         let sentence =
             format!("order 4 cannot be accumulated at order {accumulation}: orders 4 to 6 can");
@@ -123,6 +125,7 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
         accumulation: 7,
         max_blockers: 3,
         max_emitters: 1,
+        ..ShadowOptions::default()
     };
     says(ShadowPass::new(device, beyond), "orders 2 to 6");
 
@@ -132,6 +135,7 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
         accumulation: 4,
         max_blockers: 3,
         max_emitters: 1,
+        ..ShadowOptions::default()
     };
     let pass = ShadowPass::new(device, few).unwrap();
     says(

@@ -130,6 +130,7 @@ impl Case<'_> {
             accumulation: self.light.order,
             max_blockers: self.forest.spheres() as u32,
             max_emitters: 2,
+            ..ShadowOptions::default()
         };
         let (device, queue) = (&gpu.device, &gpu.queue);
         let shadow = ShadowPass::new(device, options).unwrap();

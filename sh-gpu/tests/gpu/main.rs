@@ -9,11 +9,14 @@ mod hard_cases;
 mod hard_scenes;
 mod host;
 mod lights;
+mod middleware;
 mod parity;
+mod plans;
 mod scenes;
 mod shading;
 #[path = "../../../tests/shared/shading_cases/mod.rs"]
 mod shading_cases;
+mod troubles;
 mod truth;
 
 use gpu::Gpu;
@@ -132,6 +135,56 @@ const TESTS: &[Test] = &[
     (
         "lights::what_is_sent_stays_bounded",
         lights::what_is_sent_stays_bounded,
+    ),
+    (
+        "plans::effects_come_and_go_without_a_trace",
+        plans::effects_come_and_go_without_a_trace,
+    ),
+    (
+        "plans::a_frame_uploads_what_has_changed",
+        plans::a_frame_uploads_what_has_changed,
+    ),
+    ("plans::parts_are_the_frame", plans::parts_are_the_frame),
+    (
+        "middleware::shadowed_light_is_what_the_lobe_meets",
+        middleware::shadowed_light_is_what_the_lobe_meets,
+    ),
+    (
+        "middleware::vertices_are_receivers",
+        middleware::vertices_are_receivers,
+    ),
+    (
+        "middleware::screens_are_lit_in_parts",
+        middleware::screens_are_lit_in_parts,
+    ),
+    (
+        "middleware::depth_leads_back_to_the_world",
+        middleware::depth_leads_back_to_the_world,
+    ),
+    (
+        "middleware::parts_leave_no_seam",
+        middleware::parts_leave_no_seam,
+    ),
+    (
+        "middleware::small_devices_are_told",
+        middleware::small_devices_are_told,
+    ),
+    (
+        "middleware::pipelines_are_shared",
+        middleware::pipelines_are_shared,
+    ),
+    (
+        "troubles::lost_devices_are_errors",
+        troubles::lost_devices_are_errors,
+    ),
+    #[cfg(target_os = "linux")]
+    (
+        "troubles::exhausted_memory_is_an_error",
+        troubles::exhausted_memory_is_an_error,
+    ),
+    (
+        "troubles::refusals_are_errors",
+        troubles::refusals_are_errors,
     ),
     (
         "frame::timestamps_tell_every_pass",

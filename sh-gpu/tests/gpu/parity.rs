@@ -95,6 +95,7 @@ pub fn cuts_are_those_of_the_cpu(gpu: &Gpu) {
             accumulation,
             max_blockers: spheres.len() as u32,
             max_emitters: 2,
+            ..ShadowOptions::default()
         };
         let pass = ShadowPass::new(&gpu.device, options).unwrap();
         let input = gpu.buffer(&receivers);
@@ -210,6 +211,7 @@ pub fn upsampled_light_is_that_of_the_cpu(gpu: &Gpu) {
         accumulation,
         max_blockers: forest.spheres() as u32,
         max_emitters: 2,
+        ..ShadowOptions::default()
     };
     let shadow = ShadowPass::new(&gpu.device, options).unwrap();
     let pass = UpsamplePass::new(&gpu.device, &gpu.queue, &bands, &shadow).unwrap();

@@ -31,6 +31,7 @@ fn accumulated(
         accumulation,
         max_blockers: spheres.len() as u32,
         max_emitters: light.emitters.len() as u32,
+        ..ShadowOptions::default()
     };
     let pass = ShadowPass::new(&gpu.device, options).unwrap();
     let (input, output) = (

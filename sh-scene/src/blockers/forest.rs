@@ -5,6 +5,7 @@ use super::{Blocker, Limits};
 use crate::Sphere;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
+use std::ops::Range;
 
 /// A node of the tree: 32 bytes, as `struct Node { center: vec3f, radius: f32, area: f32, parent: u32, skip: u32,
 /// sphere: u32 }` in WGSL.
@@ -32,6 +33,10 @@ impl Node {
     }
 }
 
+/// What the blockers that are left out of a cut because they are [too small](Forest::is_negligible) take together of the
+/// light of an even sky, at most: half a step of a picture of 8 bits.
+pub const NEGLIGIBLE: f32 = 1.0 / 512.0;
+
 /// All blocker spheres of a scene in one tree, average branching 4: a tree for each object, and above them a tree of
 /// objects.
 ///
@@ -44,6 +49,8 @@ impl Node {
 pub struct Forest {
     nodes: Vec<Node>,
     spheres: usize,
+    /// The node that stands for each object; that of no spheres has none.
+    roots: Vec<Option<u32>>,
 }
 
 impl Forest {
@@ -67,6 +74,7 @@ impl Forest {
         assert_eq!(total, spheres.len(), "spheres of all objects together");
         let mut roots = Vec::new();
         let mut first = 0;
+        let mut ends = Vec::with_capacity(counts.len());
         for &count in counts {
             let leaves = (first..first + count)
                 .map(|i| Part {
@@ -77,12 +85,14 @@ impl Forest {
                 .collect();
             roots.extend(raise(leaves));
             first += count;
+            ends.push(first);
         }
         let mut nodes = Vec::new();
         if let Some(root) = raise(roots) {
             lay(&root, 0, &mut nodes);
         }
         let mut forest = Self {
+            roots: roots_of(&nodes, &ends),
             nodes,
             spheres: total,
         };
@@ -98,23 +108,85 @@ impl Forest {
     pub fn update(&mut self, spheres: &[Sphere]) {
         assert_eq!(spheres.len(), self.spheres, "spheres of the tree");
         for at in (0..self.nodes.len()).rev() {
-            let skip = self.nodes[at].skip as usize;
-            let (ball, area) = if skip == at + 1 {
-                let sphere = spheres[self.nodes[at].sphere as usize];
-                (sphere, sphere.radius * sphere.radius)
-            } else {
-                let mut child = at + 1;
-                let (mut ball, mut area) = (self.nodes[child].ball(), 0.0);
-                while child < skip {
-                    ball = enclosing(ball, self.nodes[child].ball());
-                    area += self.nodes[child].area;
-                    child = self.nodes[child].skip as usize;
-                }
-                (ball, area)
-            };
-            let node = &mut self.nodes[at];
-            (node.center, node.radius, node.area) = (ball.center, ball.radius, area);
+            self.refit(at, spheres);
         }
+    }
+
+    /// As [`update`](Self::update), where only the spheres of these `objects` have moved: only their branches, and what
+    /// lies above them, are renewed, to the same bits. Appends to `changed` the ranges of nodes that were, and tells how
+    /// many nodes these are. Nothing is allocated but for `changed`.
+    ///
+    /// # Panics
+    /// If there are not as many spheres as the tree was built from, or an object is none of its.
+    ///
+    /// ```
+    /// use sh_scene::{Forest, Sphere};
+    /// let mut row: Vec<_> = (0..64).map(|i| Sphere { center: [i as f32, 0.0, 0.0], radius: 0.5 }).collect();
+    /// let mut forest = Forest::new(&row, &[32, 32]);
+    /// row[40].center[1] = 3.0;
+    /// let mut changed = Vec::new();
+    /// let nodes = forest.update_objects(&row, &[1], &mut changed);
+    /// assert!(nodes < 50 && forest.nodes().len() > 80);
+    /// ```
+    pub fn update_objects(
+        &mut self,
+        spheres: &[Sphere],
+        objects: &[usize],
+        changed: &mut Vec<Range<u32>>,
+    ) -> usize {
+        assert_eq!(spheres.len(), self.spheres, "spheres of the tree");
+        let own = changed.len();
+        for &object in objects {
+            let Some(root) = self.roots[object] else {
+                continue;
+            };
+            let end = self.nodes[root as usize].skip;
+            for at in (root..end).rev() {
+                self.refit(at as usize, spheres);
+            }
+            changed.push(root..end);
+        }
+        let branches = changed.len();
+        // Whatever lies above one of them, each once: from below, which is from the last on.
+        for branch in own..branches {
+            let mut at = changed[branch].start as usize;
+            while self.nodes[at].parent as usize != at {
+                at = self.nodes[at].parent as usize;
+                changed.push(at as u32..at as u32 + 1);
+            }
+        }
+        changed[branches..].sort_unstable_by_key(|range| std::cmp::Reverse(range.start));
+        let mut kept = branches;
+        for i in branches..changed.len() {
+            let range = changed[i].clone();
+            if kept == branches || changed[kept - 1] != range {
+                self.refit(range.start as usize, spheres);
+                changed[kept] = range;
+                kept += 1;
+            }
+        }
+        changed.truncate(kept);
+        changed[own..].iter().map(ExactSizeIterator::len).sum()
+    }
+
+    /// Puts a leaf where its sphere is, or a ball around what lies directly below a node.
+    fn refit(&mut self, at: usize, spheres: &[Sphere]) {
+        let skip = self.nodes[at].skip as usize;
+        let (ball, area) = if skip == at + 1 {
+            let sphere = spheres[self.nodes[at].sphere as usize];
+            (sphere, sphere.radius * sphere.radius)
+        } else {
+            let mut child = at + 1;
+            let (mut ball, mut area) = (self.nodes[child].ball(), 0.0);
+            while child < skip {
+                ball = enclosing(ball, self.nodes[child].ball());
+                area += self.nodes[child].area;
+                child = self.nodes[child].skip as usize;
+            }
+            (ball, area)
+        };
+        let node = &mut self.nodes[at];
+        (node.center, node.radius, node.area) = (ball.center, ball.radius, area);
     }
 
     /// All nodes: the root first, each before those below it.
@@ -146,6 +218,22 @@ impl Forest {
         }
     }
 
+    /// Whether the node at `at` of a cut is too small to matter to receivers within `radius` of `center`: what lies below
+    /// it covers so little of their sky that all such nodes together cover less than [`NEGLIGIBLE`] of it, weighed with
+    /// the cosine.
+    ///
+    /// ```text
+    /// Σ r² / (|P − center| − radius)² < NEGLIGIBLE · (nodes from this one to what it skips to) / (all nodes)
+    /// ```
+    /// A ball of radius r at a distance d hides at most the share r²/d² of an even sky.
+    pub fn is_negligible(&self, at: usize, center: Vec3, radius: f32) -> bool {
+        let node = &self.nodes[at];
+        let distance = Vec3::from(node.center).distance(center) - radius;
+        let share = (node.skip as usize - at) as f32 * NEGLIGIBLE;
+        // Beside its ball, so that no receiver is within.
+        distance > node.radius && node.area * self.nodes.len() as f32 <= share * distance * distance
+    }
+
     /// Every sphere as a blocker that stands for itself: the cut without a hierarchy.
     pub fn leaves(&self) -> impl Iterator<Item = Blocker> {
         let leaves = self.nodes.iter().enumerate();
@@ -162,6 +250,33 @@ impl Node {
             radius: self.radius,
         }
     }
+}
+
+/// The highest node of each object; `ends` are the spheres up to each object's last.
+fn roots_of(nodes: &[Node], ends: &[usize]) -> Vec<Option<u32>> {
+    let mut roots = vec![None; ends.len()];
+    let object = |leaf: &Node| ends.partition_point(|&end| end <= leaf.sphere as usize);
+    // From the last node on the objects of each are known before those above it.
+    let mut spans: Vec<(usize, usize)> = vec![(0, 0); nodes.len()];
+    for (at, node) in nodes.iter().enumerate().rev() {
+        spans[at] = if node.is_leaf(at) {
+            (object(node), object(node))
+        } else {
+            let (mut low, mut high) = spans[at + 1];
+            let mut child = at + 1;
+            while child < node.skip as usize {
+                (low, high) = (low.min(spans[child].0), high.max(spans[child].1));
+                child = nodes[child].skip as usize;
+            }
+            (low, high)
+        };
+        if let (low, high) = spans[at]
+            && low == high
+        {
+            roots[low] = Some(at as u32);
+        }
+    }
+    roots
 }
 
 /// Writes a part and all below it, depth first.
@@ -248,6 +363,42 @@ mod tests {
                 }
                 forest.update(&spheres);
             }
+        }
+    }
+
+    /// Whichever objects move, their branches alone give the bits of the whole tree.
+    #[test]
+    fn branches_are_renewed_as_the_whole_tree_is() {
+        let counts = [30, 0, 1, 200, 7, 62];
+        let mut spheres = scattered(300);
+        let mut part = Forest::new(&spheres, &counts);
+        for which in 0..64_usize {
+            let objects: Vec<usize> = (0..6).filter(|i| which >> i & 1 == 1).collect();
+            let mut first = 0;
+            for (object, count) in counts.iter().enumerate() {
+                if objects.contains(&object) {
+                    for sphere in &mut spheres[first..first + count] {
+                        sphere.center[which % 3] += 0.7;
+                    }
+                }
+                first += count;
+            }
+            let mut whole = part.clone();
+            let before = part.nodes().to_vec();
+            let mut changed = Vec::new();
+            let nodes = part.update_objects(&spheres, &objects, &mut changed);
+            whole.update(&spheres);
+            assert_eq!(part, whole, "{objects:?}");
+            let inside = |at: usize| changed.iter().filter(|r| r.contains(&(at as u32))).count();
+            for (at, node) in before.iter().enumerate() {
+                assert!(inside(at) <= 1, "{at} is renewed twice");
+                assert!(
+                    *node == part.nodes()[at] || inside(at) == 1,
+                    "{at} is not told"
+                );
+            }
+            let moved: usize = objects.iter().map(|&object| counts[object]).sum();
+            assert!(nodes <= 2 * moved + 6, "{nodes} for {moved} spheres");
         }
     }
 

@@ -11,7 +11,7 @@ mod build;
 mod forest;
 
 pub use bounds::{Bounds, Side};
-pub use forest::{Forest, Node};
+pub use forest::{Forest, NEGLIGIBLE, Node};
 
 use crate::Sphere;
 use bytemuck::{Pod, Zeroable};

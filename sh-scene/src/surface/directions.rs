@@ -36,6 +36,21 @@ pub fn cell_of(direction: Vec3) -> usize {
     nearest.0
 }
 
+/// All directions from the nearest to each of them on, which is itself.
+pub(super) fn neighbors() -> &'static [[u8; DIRECTIONS]; DIRECTIONS] {
+    static ALL: LazyLock<[[u8; DIRECTIONS]; DIRECTIONS]> = LazyLock::new(|| {
+        let all = directions().map(Vec3::from);
+        all.map(|d| {
+            let mut order: [u8; DIRECTIONS] = std::array::from_fn(|k| k as u8);
+            // Coarse, so that those that are equally far stay in order whatever the rounding.
+            let away = |k: u8| ((1.0 - d.dot(all[usize::from(k)])) * 1e4).round() as u32;
+            order.sort_by_key(|&k| away(k));
+            order
+        })
+    });
+    &ALL
+}
+
 /// Unit vectors that each stand for the same solid angle, 4π over their number, `2 * bands * columns`: the sphere is cut
 /// into `bands` of equal height, and in each lie two circles at the points of Gauss's rule, so that sums over all of
 /// them are integrals to the fourth order of a band's height. Each circle is turned against the one before by the golden

@@ -9,13 +9,22 @@
 //! emission = Σⱼ Lⱼ aⱼ Yⱼ        Yⱼ = ∫ over cell j of y_lm        (eq. 10, with its 4π/N inside Yⱼ)
 //! ```
 //!
-//! Cells are those of all 92 directions, so that one without a point stays dark and does not brighten its neighbours.
+//! What stands for a cell in which the sphere has no surface of its own, since another of the body's spheres is before it,
+//! depends on what hides lights ([`SurfaceSamples::stands`]):
+//!
+//! - Where the other sphere hides it from whoever looks, the cell is not seen, but counts in the mean of what is seen
+//!   around it. So it is as bright as the nearest cell that has a point, as textures are padded beyond their seams.
+//! - Where intersecting spheres do not hide each other, it is black, and does not brighten its neighbours.
+//!
 //! The paper multiplies SH vectors of light and albedo instead (eq. 11), which cuts off the product; here the mean
 //! albedo of each cell is part of its point.
 
 mod directions;
+mod exposed;
 
 pub use directions::{cell_of, cell_sums, directions, stratified};
+
+use directions::neighbors;
 
 use bytemuck::{Pod, Zeroable};
 
@@ -26,9 +35,9 @@ pub const DIRECTIONS: usize = 92;
 pub const COEFFICIENTS: usize = 36;
 
 /// A point of a body's surface: 48 bytes, as `struct SurfacePoint { position: vec3f, direction: u32, normal: vec3f,
-/// albedo: vec3f }` in WGSL.
+/// share: f32, albedo: vec3f }` in WGSL.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct SurfacePoint {
     /// Where, in metres, object space.
     pub position: [f32; 3],
@@ -36,14 +45,26 @@ pub struct SurfacePoint {
     pub direction: u32,
     /// Unit normal, object space, outwards.
     pub normal: [f32; 3],
-    /// Fills the place up.
-    pub _pad: u32,
-    /// Mean reflectance over the direction's Voronoi cell, linear Rec.709, each in 0..=1. Where the sphere has no
-    /// surface of its own it counts as black.
+    /// In how much of the direction's Voronoi cell the sphere has surface of its own, 0 to 1.
+    pub share: f32,
+    /// Mean reflectance of that, linear Rec.709, each in 0..=1.
     pub albedo: [f32; 3],
     /// Fills the place up.
-    pub _pad1: u32,
+    pub _pad: u32,
 }
+
+impl Default for SurfacePoint {
+    /// A black point that stands for all of its cell.
+    fn default() -> Self {
+        Self {
+            share: 1.0,
+            ..Self::zeroed()
+        }
+    }
+}
+
+/// No point of a sphere: see [`SurfaceSamples::stands`].
+pub const NONE: u8 = u8::MAX;
 
 /// The points of one object's spheres; empty where nothing was sampled.
 ///
@@ -66,6 +87,10 @@ pub struct SurfaceSamples {
     /// A unit quaternion (x, y, z, w) a sphere: object space from the frame of its directions. Identity until a skin
     /// turns it.
     pub rotations: Vec<[f32; 4]>,
+    /// A sphere's point nearest to each direction.
+    nearest: Vec<[u8; DIRECTIONS]>,
+    /// Of each sphere, where it has been found.
+    exposed: Vec<[f32; COEFFICIENTS]>,
 }
 
 impl SurfaceSamples {
@@ -74,7 +99,9 @@ impl SurfaceSamples {
         if self.starts.is_empty() {
             self.starts.push(0);
         }
+        let first = self.points.len();
         self.points.extend(points);
+        self.nearest.push(nearest(&self.points[first..]));
         self.starts.push(self.points.len() as u32);
         self.rotations.push([0.0, 0.0, 0.0, 1.0]);
     }
@@ -97,17 +124,80 @@ impl SurfaceSamples {
         }
     }
 
+    /// Which of a sphere's points, an index into [`of`](Self::of), stands for each of the directions, or [`NONE`]: that of
+    /// the direction itself, and, where `within_bodies` ([`Blocking::within_bodies`](crate::Blocking::within_bodies)),
+    /// for a direction that has none the one that is nearest.
+    ///
+    /// ```
+    /// use sh_scene::surface::{NONE, SurfacePoint, SurfaceSamples};
+    /// let mut samples = SurfaceSamples::default();
+    /// samples.push([SurfacePoint { direction: 3, ..Default::default() }]);
+    /// assert_eq!(samples.stands(0, true), [0; 92]);
+    /// let alone = samples.stands(0, false);
+    /// assert_eq!((alone[2], alone[3]), (NONE, 0));
+    /// ```
+    pub fn stands(&self, sphere: usize, within_bodies: bool) -> [u8; DIRECTIONS] {
+        let points = self.of(sphere);
+        let nearest = self.nearest.get(sphere).copied();
+        let mut stands = nearest.unwrap_or([NONE; DIRECTIONS]);
+        if !within_bodies {
+            for (j, stands) in stands.iter_mut().enumerate() {
+                let point = points.get(usize::from(*stands));
+                if point.is_some_and(|point| point.direction as usize != j) {
+                    *stands = NONE;
+                }
+            }
+        }
+        stands
+    }
+
     /// How many bytes the samples take.
     ///
     /// ```
     /// use sh_scene::surface::{DIRECTIONS, SurfaceSamples};
     /// let mut samples = SurfaceSamples::default();
     /// samples.push([Default::default(); DIRECTIONS]);
-    /// assert_eq!(samples.bytes(), 92 * 48 + 2 * 4 + 16);
+    /// assert_eq!(samples.bytes(), 92 * 48 + 2 * 4 + 16 + 92);
     /// ```
     pub fn bytes(&self) -> usize {
         size_of_val(&self.points[..])
             + size_of_val(&self.starts[..])
             + size_of_val(&self.rotations[..])
+            + size_of_val(&self.nearest[..])
+            + size_of_val(&self.exposed[..])
     }
+}
+
+impl SurfacePoint {
+    /// What the point's cell reflects: its albedo within 0 and 1, black where it is no number; and, unless the cells
+    /// around it stand for what is missing (`within_bodies`), only so much of it as there is.
+    ///
+    /// ```
+    /// use sh_scene::SurfacePoint;
+    /// let half = SurfacePoint { share: 0.5, albedo: [0.8, 2.0, f32::NAN], ..Default::default() };
+    /// assert_eq!(half.reflectance(true), [0.8, 1.0, 0.0]);
+    /// assert_eq!(half.reflectance(false), [0.4, 0.5, 0.0]);
+    /// ```
+    pub fn reflectance(&self, within_bodies: bool) -> [f32; 3] {
+        let share = if within_bodies { 1.0 } else { self.share };
+        // What is no number is not above 0.
+        self.albedo
+            .map(|c| share * if c > 0.0 { c.min(1.0) } else { 0.0 })
+    }
+}
+
+/// For each direction which of a sphere's points is nearest to it.
+fn nearest(points: &[SurfacePoint]) -> [u8; DIRECTIONS] {
+    let mut own = [NONE; DIRECTIONS];
+    for (i, point) in (0..NONE).zip(points) {
+        if let Some(own) = own.get_mut(point.direction as usize)
+            && *own == NONE
+        {
+            *own = i;
+        }
+    }
+    std::array::from_fn(|j| {
+        let around = neighbors()[j].iter().map(|&k| own[usize::from(k)]);
+        around.into_iter().find(|&i| i != NONE).unwrap_or(NONE)
+    })
 }

@@ -1,9 +1,12 @@
 //! A whole frame: the passes of a plan, band by band, recorded into the caller's encoder.
 
+mod told;
+
 use crate::buffers::Buffers;
 use crate::stages::{Setup, Stage, Work, is_half, sends, shadow_pass};
-use crate::{Bands, Bodies, Error, LightGatherPass, Shading, ShadowPass, Shining};
+use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, Shading, ShadowPass, Shining};
 use sh_scene::{EnvironmentMap, Forest, Light, PassKind, Plan, Scene, View};
+use std::sync::atomic::{AtomicBool, Ordering};
 use wgpu::{Buffer, CommandEncoder, ComputePassTimestampWrites, Device, QuerySet, Queue};
 
 /// Renders a scene into a buffer of pixels.
@@ -15,6 +18,22 @@ use wgpu::{Buffer, CommandEncoder, ComputePassTimestampWrites, Device, QuerySet,
 /// one band at a time, and the bands follow each other in the encoder. Passes at half resolution come first, band by
 /// band as well; what they make is kept of the whole picture, 12 bytes a pixel, or 16 where spheres send light on.
 /// What these send is found before all bands.
+///
+/// ```no_run
+/// # use sh_gpu::{Error, Renderer};
+/// # use sh_scene::{Forest, Light, Plan, Scene, View};
+/// # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, scene: &Scene, light: &Light, view: &View)
+/// #     -> Result<(), Error> {
+/// let renderer = Renderer::new(device, queue, scene, &Plan::new(scene), view)?;
+/// let blockers = scene.forest();
+/// // every frame
+/// renderer.prepare(queue, scene, &blockers, light, view)?;
+/// let mut encoder = device.create_command_encoder(&Default::default());
+/// renderer.record(&mut encoder, None);
+/// queue.submit([encoder.finish()]); // `renderer.picture()` has the pixels
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct Renderer {
     bands: Bands,
@@ -25,6 +44,13 @@ pub struct Renderer {
     gather: Option<LightGatherPass>,
     stages: Vec<Stage>,
     picture: Buffer,
+    /// What the passes hand each other, by name, in bytes.
+    shared: Vec<(&'static str, u64)>,
+    pipelines: Pipelines,
+    /// Draws of a band.
+    drawn: usize,
+    /// Whether what spheres send on has been recorded as it is now.
+    sent: AtomicBool,
 }
 
 /// What is recorded of a stage at once.
@@ -60,13 +86,28 @@ impl Renderer {
         view: &View,
         max_samples: u32,
     ) -> Result<Self, Error> {
+        let pipelines = Pipelines::new(device);
+        Self::with_pipelines(&pipelines, queue, scene, plan, view, max_samples)
+    }
+
+    /// As [`with_bands`](Self::with_bands), with pipelines that are shared: a renderer that is made anew, for another
+    /// size, scene or plan, compiles only what they do not hold yet.
+    pub fn with_pipelines(
+        pipelines: &Pipelines,
+        queue: &Queue,
+        scene: &Scene,
+        plan: &Plan,
+        view: &View,
+        max_samples: u32,
+    ) -> Result<Self, Error> {
+        let device = pipelines.device();
         let bands = |grid| Bands::new(device, view, grid, max_samples);
         let halves = match plan.passes.iter().any(is_half) {
             true => Some(bands(view.halves())?),
             false => None,
         };
         let bands = bands(view.samples())?;
-        let shadow = shadow_pass(device, scene, plan)?;
+        let shadow = shadow_pass(pipelines, scene, plan)?;
         let gather = match &shadow {
             Some(shadow) if sends(plan) => {
                 let blocking = scene.settings.indirect.unwrap_or_default().blocking;
@@ -77,6 +118,7 @@ impl Renderer {
         let buffers = Buffers::new(device, &bands, halves.as_ref(), gather.is_some())?;
         let setup = Setup {
             device,
+            pipelines,
             queue,
             scene,
             bands: &bands,
@@ -86,9 +128,14 @@ impl Renderer {
             buffers: &buffers,
         };
         let stages = plan.passes.iter().map(|pass| setup.stage(pass));
+        let bodies = Bodies::new(device, queue, scene)?;
         Ok(Self {
             stages: stages.collect::<Result<_, _>>()?,
-            bodies: Bodies::new(device, queue, scene)?,
+            pipelines: pipelines.clone(),
+            drawn: bodies.drawn() + usize::from(scene.ground.is_some()),
+            sent: AtomicBool::new(false),
+            bodies,
+            shared: buffers.bytes(),
             picture: buffers.picture,
             bands,
             halves,
@@ -102,6 +149,10 @@ impl Renderer {
     /// the number of spheres and lights and the picture's size stay those given to [`new`](Self::new), and so do meshes
     /// and the environment map until [`update_meshes`](Self::update_meshes) and
     /// [`update_environment`](Self::update_environment).
+    ///
+    /// What is as it was in the frame before is not uploaded again ([`uploaded`](Self::uploaded)), and where nothing that
+    /// lights bodies or stands in their light has changed, [`record`](Self::record) leaves out what finds the light that
+    /// they send on.
     pub fn prepare(
         &self,
         queue: &Queue,
@@ -110,6 +161,7 @@ impl Renderer {
         light: &Light,
         view: &View,
     ) -> Result<(), Error> {
+        let before = self.lights_uploaded();
         self.bands.prepare(queue, view, scene.ground)?;
         if let Some(halves) = &self.halves {
             halves.prepare(queue, view, scene.ground)?;
@@ -131,6 +183,9 @@ impl Renderer {
                 _ => {}
             }
         }
+        if self.lights_uploaded() != before {
+            self.sent.store(false, Ordering::Relaxed);
+        }
         Ok(())
     }
 
@@ -140,7 +195,11 @@ impl Renderer {
         self.bodies.update_meshes(queue, scene)?;
         for stage in &self.stages {
             if let Work::LightUpdate { pass } = &stage.work {
+                let before = pass.uploaded();
                 pass.update_surfaces(queue, scene.objects.iter().map(Shining::from))?;
+                if pass.uploaded() != before {
+                    self.sent.store(false, Ordering::Relaxed);
+                }
             }
         }
         Ok(())
@@ -160,7 +219,7 @@ impl Renderer {
         Ok(())
     }
 
-    /// Records the frame. With a query set of type `Timestamp` and [`timestamps`](Self::timestamps) entries
+    /// Records the frame, which is to be submitted before the next one is recorded. With a query set of type `Timestamp` and [`timestamps`](Self::timestamps) entries
     /// or more, every pass of every band writes when it began and ended.
     pub fn record(&self, encoder: &mut CommandEncoder, queries: Option<&QuerySet>) {
         encoder.push_debug_group("gaunt frame");
@@ -169,6 +228,22 @@ impl Renderer {
             self.record_step(encoder, stage, step, stamps);
         }
         encoder.pop_debug_group();
+    }
+
+    /// How many parts [`record_part`](Self::record_part) has.
+    pub fn parts(&self) -> usize {
+        self.steps().count()
+    }
+
+    /// Records one part of a frame: for a host that times them by itself, because its device has no clock. All of them
+    /// in order are what [`record`](Self::record) records. Tells which pass of the plan it is a part of; none where there
+    /// is no such part.
+    pub fn record_part(&self, encoder: &mut CommandEncoder, part: usize) -> Option<usize> {
+        let (stage, step) = self.steps().nth(part)?;
+        self.record_step(encoder, stage, step, None);
+        self.stages
+            .iter()
+            .position(|other| std::ptr::eq(other, stage))
     }
 
     /// All there is to record, in order.
@@ -209,7 +284,15 @@ impl Renderer {
                 return pass.record_shares(encoder, &shares[band as usize], writes);
             }
             (Step::Once, Work::LightUpdate { pass }) => {
-                if let (Some(shadow), Some(gather)) = (&self.shadow, &self.gather) {
+                if self.sent.swap(true, Ordering::Relaxed) {
+                    // Nothing has changed. Timestamps are written all the same: whoever reads them waits for them.
+                    if writes.is_some() {
+                        encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+                            label: Some("gaunt light_update, unchanged"),
+                            timestamp_writes: writes,
+                        });
+                    }
+                } else if let (Some(shadow), Some(gather)) = (&self.shadow, &self.gather) {
                     pass.record(encoder, shadow, gather, writes);
                 }
                 return;
@@ -254,24 +337,5 @@ impl Renderer {
     /// share of the pixel's samples that hit something. Usages `STORAGE` and `COPY_SRC`.
     pub fn picture(&self) -> &Buffer {
         &self.picture
-    }
-
-    /// How many timestamps a frame writes.
-    pub fn timestamps(&self) -> u32 {
-        2 * self.steps().count() as u32
-    }
-
-    /// The time each pass of the plan took, over all bands, in nanoseconds, from a frame's timestamps and
-    /// `Queue::get_timestamp_period`.
-    pub fn times(&self, timestamps: &[u64], period: f32) -> Vec<(PassKind, f64)> {
-        let mut times: Vec<_> = self.stages.iter().map(|stage| (stage.kind, 0.0)).collect();
-        for ((stage, _), [begin, end]) in self.steps().zip(timestamps.as_chunks().0) {
-            let spent = end.saturating_sub(*begin) as f64 * f64::from(period);
-            let same = |other: &Stage| std::ptr::eq(other, stage);
-            if let Some(index) = self.stages.iter().position(same) {
-                times[index].1 += spent;
-            }
-        }
-        times
     }
 }

@@ -1,0 +1,150 @@
+//! What README shows works: its scene loads, and its lines run.
+
+use crate::{Folder, run};
+
+/// The README's block that is marked with a language, and in which a line begins with `first`.
+fn block(language: &str, first: &str) -> String {
+    let text = include_str!("../../../README.md");
+    let mut blocks = text.split("\n```").skip(1).step_by(2);
+    let found = blocks.find_map(|block| {
+        let (mark, inside) = block.split_once('\n')?;
+        (mark == language && inside.starts_with(first)).then(|| inside.to_string())
+    });
+    found.unwrap_or_else(|| panic!("README has no block of {language} that begins with {first:?}"))
+}
+
+/// A line's words as a shell takes them: quotes hold together, and what follows # is a comment.
+fn words(line: &str) -> Vec<String> {
+    let (mut words, mut word, mut quoted, mut begun) = (Vec::new(), String::new(), false, false);
+    for c in line.chars() {
+        match c {
+            '\'' => (quoted, begun) = (!quoted, true),
+            '#' if !quoted && !begun => break,
+            ' ' if !quoted => {
+                if begun {
+                    words.push(std::mem::take(&mut word));
+                }
+                begun = false;
+            }
+            c => {
+                word.push(c);
+                begun = true;
+            }
+        }
+    }
+    if begun {
+        words.push(word);
+    }
+    words
+}
+
+/// A ring of columns, as OBJ: closed and small.
+fn mesh() -> String {
+    let mut text = String::new();
+    for i in 0..8 {
+        let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 8.0).sin_cos();
+        text += &format!("v {cos} 0 {sin}\nv {cos} 1 {sin}\n");
+    }
+    for i in 0..8 {
+        let [a, b] = [2 * i + 1, 2 * ((i + 1) % 8) + 1];
+        text += &format!("f {a} {} {} {b}\n", a + 1, b + 1);
+    }
+    text + "f 1 3 5 7 9 11 13 15\nf 16 14 12 10 8 6 4 2\n"
+}
+
+/// The files that README's scene names.
+fn scene(folder: &Folder) {
+    folder.put("scene.toml", block("toml", "# scene.toml"));
+    folder.put("bunny.obj", mesh());
+    let walking = include_str!("../../../sh-bake/tests/good/animated.gltf");
+    folder.put("fox.glb", walking.replace("\"Wave\"", "\"Walk\""));
+    let grey = include_bytes!("../../../sh-bake/tests/good/grey.hdr");
+    folder.put("city.hdr", grey);
+}
+
+/// Commands that take minutes, and what stops them before they do anything, once all arguments before it are accepted:
+/// how the line ends, and what is complained about then. What they do is for tests of their own.
+const LONG: [(&str, &[&str], &str); 2] = [
+    (
+        "bench",
+        &["--backend", "none-of-them"],
+        "invalid value 'none-of-them' for '--backend",
+    ),
+    ("accuracy", &["--page"], "a value is required for '--page"),
+];
+
+/// Whether the program takes the arguments of such a command; `None` for others.
+fn takes(arguments: &[&str]) -> Option<bool> {
+    let &(_, end, complaint) = LONG.iter().find(|long| long.0 == arguments[0])?;
+    let output = run(&[arguments, end].concat(), b"");
+    assert!(!output.status.success());
+    Some(String::from_utf8_lossy(&output.stderr).contains(complaint))
+}
+
+#[test]
+fn the_lines_run() {
+    let folder = Folder::new("readme");
+    scene(&folder);
+    let mut count = 0;
+    for line in block("sh", "gaunt").lines() {
+        let words = words(line);
+        // `echo text | gaunt …` gives the text to it.
+        let (input, words) = match words.iter().position(|word| word == "|") {
+            Some(bar) => (words[1..bar].join(" ") + "\n", &words[bar + 1..]),
+            None => (String::new(), &words[..]),
+        };
+        let (program, arguments) = words.split_first().expect("a line has words");
+        assert_eq!(program, "gaunt", "{line}");
+        // Files are in the folder.
+        let here = |word: &String| match word.rsplit_once('.') {
+            Some((_, end)) if end.chars().all(char::is_alphabetic) => folder.file(word),
+            _ => word.clone(),
+        };
+        let mut arguments: Vec<String> = arguments.iter().map(here).collect();
+        count += 1;
+        let whole: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        if let Some(taken) = takes(&whole) {
+            assert!(taken, "{line}");
+            continue;
+        }
+        // Small pictures will do, and a window that nobody has to close.
+        let window = folder.file("window.png");
+        let more: &[&str] = match arguments[0].as_str() {
+            "render" if arguments.iter().any(|a| a == "--backend") => &["--size", "32x18"],
+            "render" => &["--size", "32x18", "--backend", "cpu"],
+            "compare" => &["--size", "24x14"],
+            "plan" => &["--size", "32x18", "--backend", "cpu"],
+            "view" => &["--screenshot", &window, "--frames", "1", "--backend", "cpu"],
+            _ => &[],
+        };
+        arguments.extend(more.iter().map(|word| word.to_string()));
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        let output = run(&arguments, input.as_bytes());
+        let complaint = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{line}: {complaint}");
+        // Tables, reports and answers; `eval` would tell an error on standard output.
+        assert!(!output.stdout.is_empty(), "{line} says nothing");
+        assert!(!output.stdout.starts_with(b"{\"error\""), "{line}");
+    }
+    assert!(count >= 10, "{count} lines");
+    for name in [
+        "picture.png",
+        "picture.exr",
+        "truth.png",
+        "sheet.png",
+        "f0000.png",
+        "f0059.png",
+    ] {
+        assert!(folder.names().iter().any(|n| n == name), "no {name}");
+    }
+}
+
+#[test]
+fn a_line_that_is_wrong_is_found() {
+    assert_eq!(takes(&["bench", "battle"]), Some(true));
+    assert_eq!(takes(&["bench", "no-such-scene"]), Some(false));
+    assert_eq!(takes(&["accuracy", "--no-plot", "chart.svg"]), Some(false));
+    assert_eq!(takes(&["ops"]), None);
+    assert_eq!(words("gaunt eval 'a b' # c"), ["gaunt", "eval", "a b"]);
+    assert_eq!(words("a  'f#1' ''"), ["a", "f#1", ""]);
+}
