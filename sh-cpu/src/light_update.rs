@@ -384,15 +384,9 @@ impl SphericalLights {
                 let Some(node) = next.next().map(|&node| node as usize) else {
                     continue;
                 };
-                let mut seen = [0.0; C];
-                if within_bodies {
-                    let all = body.surface.exposed(sphere);
-                    for (seen, c) in seen.iter_mut().zip(all) {
-                        *seen = c;
-                    }
-                } else {
-                    seen[0] = ROOT_FOUR_PI as f32;
-                }
+                let all = body.surface.exposed(sphere, within_bodies);
+                // Those of a lower order come first.
+                let seen: [f32; C] = std::array::from_fn(|i| all[i]);
                 exposed[node * C..][..C].copy_from_slice(&seen.rotate(turn));
                 brightest[node] = top;
                 for (i, out) in emission[node * C..][..C].iter_mut().enumerate() {

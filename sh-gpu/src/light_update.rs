@@ -324,10 +324,8 @@ impl LightUpdatePass {
                     }));
                     let stands = body.surface.stands(sphere, self.within_bodies);
                     kept.stands.push(stands);
-                    kept.exposed.push(match self.within_bodies {
-                        true => body.surface.exposed(sphere),
-                        false => SurfaceSamples::default().exposed(0),
-                    });
+                    let exposed = body.surface.exposed(sphere, self.within_bodies);
+                    kept.exposed.push(exposed);
                 }
             }
             let [points, stands, clusters, _, exposed] = &self.known;

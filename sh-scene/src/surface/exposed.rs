@@ -67,23 +67,26 @@ impl SurfaceSamples {
     }
 
     /// The share of a sphere's disc that its body leaves to be seen, as an SH function of order 6 of the direction towards
-    /// whoever looks, in the frame of the sphere's directions; 1 everywhere until [`expose`](Self::expose) has found it.
+    /// whoever looks, in the frame of the sphere's directions; 1 everywhere until [`expose`](Self::expose) has found it, and
+    /// where spheres do not hide each other `within_bodies` ([`Blocking::within_bodies`](crate::Blocking::within_bodies)).
     ///
     /// ```
     /// use sh_scene::{Sphere, SurfacePoint, SurfaceSamples};
     /// let mut samples = SurfaceSamples::default();
     /// samples.push([SurfacePoint::default()]);
     /// samples.push([SurfacePoint::default()]);
-    /// let mean = |samples: &SurfaceSamples| samples.exposed(0)[0] / sh_core::ROOT_FOUR_PI as f32;
+    /// let mean = |samples: &SurfaceSamples| samples.exposed(0, true)[0] / sh_core::ROOT_FOUR_PI as f32;
     /// assert_eq!(mean(&samples), 1.0);
     /// // Two that are the same: each has half.
     /// samples.expose(&[Sphere { center: [0.0, 1.0, 0.0], radius: 0.5 }; 2]);
     /// assert!((mean(&samples) - 0.5).abs() < 1e-3);
+    /// assert_eq!(samples.exposed(0, false)[0], sh_core::ROOT_FOUR_PI as f32);
     /// ```
-    pub fn exposed(&self, sphere: usize) -> [f32; COEFFICIENTS] {
+    pub fn exposed(&self, sphere: usize, within_bodies: bool) -> [f32; COEFFICIENTS] {
         let mut all = [0.0; COEFFICIENTS];
         all[0] = ROOT_FOUR_PI as f32;
-        self.exposed.get(sphere).copied().unwrap_or(all)
+        let found = self.exposed.get(sphere).filter(|_| within_bodies);
+        found.copied().unwrap_or(all)
     }
 }
 
@@ -133,7 +136,7 @@ mod tests {
             radius,
         };
         samples.expose(&spheres.iter().map(ball).collect::<Vec<_>>());
-        let mean = |i| samples.exposed(i)[0] / ROOT_FOUR_PI as f32;
+        let mean = |i| samples.exposed(i, true)[0] / ROOT_FOUR_PI as f32;
         (0..spheres.len()).map(mean).collect()
     }
 
