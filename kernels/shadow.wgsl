@@ -11,6 +11,7 @@
 #import shared/scan
 #import shared/bounds
 #import shared/visibility
+#import shared/behind
 #import shared/light
 #import shared/emitted
 #import library
@@ -56,16 +57,31 @@ fn shadow(
         return;
     }
     let bounds = cluster_bounds(first, count, lane);
-    let sum = log_visibility(receiver, bounds, lane);
-    if (!inside) {
-        return;
-    }
+    // First all light, and then one by one the lamps that may have blockers behind them.
     var result = vec3f(0.0);
-    if (covered) {
-        let visibility = visibility_of(sum);
-        let transfer = sh$N_product_cosine(visibility, receiver.normal);
+    var lamps = 0u;
+    for (var turn = 0u; turn <= rounds(); turn += 1u) {
+        let lamp = turn - 1u;
+        if (lamp != NO_LAMP && (lamps >> lamp & 1u) == 0u) {
+            continue;
+        }
+        let found = log_visibility(receiver, bounds, lane, lamp);
+        if (lamp == NO_LAMP) {
+            lamps = found.lamps;
+        }
+        if (!covered) {
+            continue;
+        }
+        let transfer = sh$N_product_cosine(visibility_of(found.sum), receiver.normal);
         let lobe = sh$N_cosine(receiver.normal);
-        result = bounded(reflected(transfer), reflected(lobe)) + emitted(transfer, lobe, receiver.position);
+        if (lamp == NO_LAMP) {
+            result = bounded(reflected(transfer), reflected(lobe));
+            result += emitted(transfer, lobe, receiver.position, 0u, lighting.emitters, lamps);
+        } else {
+            result += emitted(transfer, lobe, receiver.position, lamp, lamp + 1u, 0u);
+        }
     }
-    radiance[index] = vec4f(result, 0.0);
+    if (inside) {
+        radiance[index] = vec4f(result, 0.0);
+    }
 }

@@ -9,6 +9,7 @@
 #import shared/scan
 #import shared/bounds
 #import shared/visibility
+#import shared/behind
 #import shared/light
 #import shared/emitted
 #import library
@@ -56,42 +57,62 @@ fn shadowed_light(
         return;
     }
     let bounds = cluster_bounds(first, count, lane);
-    let sum = log_visibility(receiver, bounds, lane);
-    if (!inside) {
-        return;
-    }
-    var all = array<vec3f, $C>();
-    if (covered) {
-        all = arriving(receiver.position);
-    }
-    let visibility = visibility_of(sum);
-    // Channel by channel, so that the product is compiled once.
+    // First all light, and then one by one the lamps that may have blockers behind them.
     var product = array<vec3f, $C>();
-    for (var c = 0u; c < 3u; c += 1u) {
-        var channel = array<f32, $C>();
-        for (var i = 0u; i < $Cu; i += 1u) {
-            channel[i] = all[i][c];
+    var lamps = 0u;
+    for (var turn = 0u; turn <= rounds(); turn += 1u) {
+        let lamp = turn - 1u;
+        if (lamp != NO_LAMP && (lamps >> lamp & 1u) == 0u) {
+            continue;
         }
-        let one = sh$N_product(visibility, channel);
-        for (var i = 0u; i < $Cu; i += 1u) {
-            product[i][c] = one[i];
+        let found = log_visibility(receiver, bounds, lane, lamp);
+        if (lamp == NO_LAMP) {
+            lamps = found.lamps;
+        }
+        if (!covered) {
+            continue;
+        }
+        var all = array<vec3f, $C>();
+        if (lamp == NO_LAMP) {
+            for (var i = 0u; i < $Cu; i += 1u) {
+                all[i] = lighting.coefficients[i].rgb;
+            }
+            all = with_lamps(all, receiver.position, 0u, lighting.emitters, lamps);
+        } else {
+            all = with_lamps(all, receiver.position, lamp, lamp + 1u, 0u);
+        }
+        let visibility = visibility_of(found.sum);
+        // Channel by channel, so that the product is compiled once.
+        for (var c = 0u; c < 3u; c += 1u) {
+            var channel = array<f32, $C>();
+            for (var i = 0u; i < $Cu; i += 1u) {
+                channel[i] = all[i][c];
+            }
+            let one = sh$N_product(visibility, channel);
+            for (var i = 0u; i < $Cu; i += 1u) {
+                product[i][c] += one[i];
+            }
         }
     }
-    for (var i = 0u; i < $Cu; i += 1u) {
-        light[index * $Cu + i] = vec4f(number(product[i]), 0.0);
+    if (inside) {
+        for (var i = 0u; i < $Cu; i += 1u) {
+            light[index * $Cu + i] = vec4f(number(product[i]), 0.0);
+        }
     }
 }
 
-// The light of the environment and of all analytic lights together, without blockers.
-fn arriving(position: vec3f) -> array<vec3f, $C> {
-    var sum = array<vec3f, $C>();
-    for (var i = 0u; i < $Cu; i += 1u) {
-        sum[i] = lighting.coefficients[i].rgb;
-    }
-    for (var at = 0u; LAMPS && at < lighting.emitters; at += 1u) {
-        let own = emitter_light(at, position);
+// Light, and that of analytic lights without blockers: those from `first` to before `end`, without those whose bit is set.
+fn with_lamps(all: array<vec3f, $C>, position: vec3f, first: u32, end: u32, without: u32) -> array<vec3f, $C> {
+    var sum = all;
+    for (var at = first; LAMPS && at < end; at += 1u) {
+        if (at < 32u && (without >> at & 1u) != 0u) {
+            continue;
+        }
+        let seen = shown(at, position);
+        let own = emitter_light(at, seen);
+        let radiance = emitter_radiance(at, seen);
         for (var i = 0u; i < $Cu; i += 1u) {
-            sum[i] += own[i] * emitters[at].radiance;
+            sum[i] += own[i] * radiance;
         }
     }
     return sum;

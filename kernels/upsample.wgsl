@@ -28,7 +28,7 @@
 // Light without blockers.
 fn unshadowed(receiver: Receiver) -> vec3f {
     let lobe = sh$N_cosine(receiver.normal);
-    return max(reflected(lobe), vec3f(0.0)) + emitted(lobe, lobe, receiver.position);
+    return max(reflected(lobe), vec3f(0.0)) + unshadowed_lamps(lobe, receiver.position);
 }
 
 @compute @workgroup_size(64)

@@ -1,4 +1,5 @@
-// Radiance from analytic lights (Ren et al. 2006, section 7). Twin of sh_cpu's `emitters`.
+// Radiance from analytic lights (Ren et al. 2006, section 7; Guerrero et al. 2008, section 7.3). Twin of sh_cpu's
+// `emitters`.
 
 #import shared/records
 #import shared/light
@@ -12,34 +13,77 @@ const NEAREST: f32 = 1e-30;
 // Whether there may be analytic lights: without them nothing of this is compiled.
 override LAMPS: bool = true;
 
-// An analytic light of radiance 1 as an SH vector, seen from a position.
-fn emitter_light(at: u32, position: vec3f) -> array<f32, $C> {
+// Whether some may be brighter on one side than on another.
+override DISTRIBUTIONS: bool = true;
+
+// An analytic light as a position sees it.
+struct Shown {
+    sine: f32,
+    cosine: f32,
+    direction: vec3f,
+}
+
+fn shown(at: u32, position: vec3f) -> Shown {
     let towards = emitters[at].center - emitters[at].local * position;
     let inverse = 1.0 / max(length(towards), NEAREST);
     let sine = min(emitters[at].radius * inverse, 1.0);
-    let cosine = sqrt(max(1.0 - sine * sine, 0.0));
-    // What a cap hides of the sky is what it shows of a light: 1 - visibility. The mean of that is
-    // sqrt(pi) (1 - cosine), in a form that does not cancel for small lights.
-    var zonal = sh$N_cap_visibility(cosine, sine);
-    zonal[0] = -sine * sine / (1.0 + cosine) * ROOT_PI;
-    for (var l = 0u; l < $Nu; l += 1u) {
-        zonal[l] *= -emitters[at].gains[l / 4u][l % 4u];
-    }
-    return sh$N_zonal(zonal, towards * inverse);
+    return Shown(sine, sqrt(max(1.0 - sine * sine, 0.0)), towards * inverse);
 }
 
-// What all lights together give a surface of albedo 1, each held within [0, unshadowed], given the transfer of
-// shadowed and of unshadowed light.
-fn emitted(transfer: array<f32, $C>, lobe: array<f32, $C>, position: vec3f) -> vec3f {
+// An analytic light of radiance 1 as an SH vector.
+fn emitter_light(at: u32, seen: Shown) -> array<f32, $C> {
+    // What a cap hides of the sky is what it shows of a light: 1 - visibility. The mean of that is
+    // sqrt(pi) (1 - cosine), in a form that does not cancel for small lights.
+    var zonal = sh$N_cap_visibility(seen.cosine, seen.sine);
+    zonal[0] = -seen.sine * seen.sine / (1.0 + seen.cosine) * ROOT_PI;
+    for (var l = 0u; l < $Nu; l += 1u) {
+        zonal[l] *= -emitters[at].gains[l];
+    }
+    return sh$N_zonal(zonal, seen.direction);
+}
+
+// The mean radiance of what is seen of it.
+fn emitter_radiance(at: u32, seen: Shown) -> vec3f {
+    var result = emitters[at].radiance;
+    if (DISTRIBUTIONS && emitters[at].order > 0u) {
+        let weights = sh$N_ball_average(seen.sine, seen.cosine, -seen.direction);
+        var mean = vec3f(0.0);
+        for (var i = 0u; i < $Cu; i += 1u) {
+            mean += weights[i] * emitters[at].distribution[i].rgb;
+        }
+        result *= max(mean, vec3f(0.0));
+    }
+    return result;
+}
+
+// What lights give a surface of albedo 1, each held within [0, unshadowed], given the transfer of shadowed and of
+// unshadowed light: those from `first` to before `end`, without those whose bit is set.
+fn emitted(
+    transfer: array<f32, $C>,
+    lobe: array<f32, $C>,
+    position: vec3f,
+    first: u32,
+    end: u32,
+    without: u32,
+) -> vec3f {
     var sum = vec3f(0.0);
-    for (var i = 0u; LAMPS && i < lighting.emitters; i += 1u) {
-        let light = emitter_light(i, position);
+    for (var i = first; LAMPS && i < end; i += 1u) {
+        if (i < 32u && (without >> i & 1u) != 0u) {
+            continue;
+        }
+        let seen = shown(i, position);
+        let light = emitter_light(i, seen);
         let open = sh$N_dot(light, lobe);
         // Nothing comes from below the horizon.
         if (open > 0.0) {
             let lit = bounded(vec3f(sh$N_dot(light, transfer)), vec3f(open));
-            sum += lit * emitters[i].radiance;
+            sum += lit * emitter_radiance(i, seen);
         }
     }
     return sum;
+}
+
+// The same without blockers.
+fn unshadowed_lamps(lobe: array<f32, $C>, position: vec3f) -> vec3f {
+    return emitted(lobe, lobe, position, 0u, lighting.emitters, 0u);
 }

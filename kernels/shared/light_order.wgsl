@@ -5,6 +5,7 @@
 #import shared/scan
 #import shared/cut
 #import shared/blocker
+#import shared/power
 
 // Spheres of a cut that workgroup memory holds.
 const ROOM: u32 = 128u;
@@ -30,19 +31,8 @@ struct Met {
     power: f32,
 }
 
-// The least width over which an order changes, over the radius of the smaller sphere.
-const SHARPEST: f32 = 0.01;
-
 // The body of a node that stands for several.
 const NO_BODY: u32 = 0xffffffffu;
-
-const SMALLEST_DIVISOR: f32 = 1.2e-38;
-
-// The power of a point against a sphere: the square of a tangent's length.
-fn power(place: vec3f, center: vec3f, radius: f32) -> f32 {
-    let away = center - place;
-    return dot(away, away) - radius * radius;
-}
 
 // One of those in workgroup memory.
 fn met(at: u32) -> Met {
@@ -57,21 +47,6 @@ fn comes_first(a: Met, b: Met) -> bool {
 fn is_joint(a: Met, b: Met, apart: f32) -> bool {
     let body = members[a.node].x;
     return body == members[b.node].x && body != NO_BODY && apart < a.radius + b.radius;
-}
-
-// Half of the distance over which an order changes: the radius of the circle in which spheres cut each other.
-fn swap_width(a: f32, b: f32, apart: f32) -> f32 {
-    let smaller = min(a, b);
-    var circle = 0.0;
-    if (apart < a + b) {
-        if (apart <= abs(a - b)) {
-            circle = smaller;
-        } else {
-            let along = (apart * apart + a * a - b * b) / (2.0 * apart);
-            circle = sqrt(max(a * a - along * along, 0.0));
-        }
-    }
-    return max(circle, SHARPEST * smaller);
 }
 
 // How much of what `hider` covers it hides of `hidden` from a place, 0 to 1.

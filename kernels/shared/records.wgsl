@@ -29,7 +29,11 @@ struct Emitter {
     radiance: vec3f,
     local: f32,
     // What each band is multiplied with.
-    gains: array<vec4f, 2>,
+    gains: array<f32, 6>,
+    // That of its distribution; 0: it is equally bright all over.
+    order: u32,
+    // How bright it is where, in parts of the radiance: SH coefficients (red, green, blue).
+    distribution: array<vec4f, 36>,
 }
 
 // What is the same for all receivers: how many nodes and emitters there are, how coarse cuts may be

@@ -6,6 +6,8 @@
 #import shared/scan
 #import shared/cut
 #import shared/blocker
+#import shared/emitted
+#import shared/behind
 #import library
 
 // Nodes that an invocation looks at between two barriers.
@@ -16,15 +18,34 @@ const CHUNK: u32 = 256u;
 // Those of a chunk of nodes that are in the cut.
 var<workgroup> cut: array<Weighted, CHUNK>;
 
-// The sum of a receiver's log visibilities. All invocations of the workgroup have to call this, with the same bounds.
-fn log_visibility(receiver: Receiver, bounds: vec4f, lane: u32) -> array<f32, $B> {
+// A receiver's log visibilities.
+struct LogVisibility {
+    sum: array<f32, $B>,
+    // Bit i: lamp i may have a blocker behind it, and needs a sum of its own. The same for all of the workgroup.
+    lamps: u32,
+}
+
+// The sum of a receiver's log visibilities, as the sky has it or a lamp. All invocations of the workgroup have to call this,
+// with the same bounds and lamp.
+fn log_visibility(receiver: Receiver, bounds: vec4f, lane: u32, lamp: u32) -> LogVisibility {
     let covered = receiver.covered != 0u;
+    let of_lamp = LAMPS && lamp != NO_LAMP;
     var sum = array<f32, $B>();
+    var behind = 0u;
     for (var chunk = 0u; chunk < lighting.nodes; chunk += CHUNK) {
         let own = chunk + lane * EACH;
         var taken = 0u;
         for (var i = 0u; i < EACH; i += 1u) {
-            taken |= u32(in_cut(own + i, bounds) && !is_negligible(own + i, bounds)) << i;
+            var counts = false;
+            if (of_lamp) {
+                counts = counts_for_lamp(lamp, own + i, bounds);
+            } else {
+                counts = in_cut(own + i, bounds) && !is_negligible(own + i, bounds);
+                if (LAMPS && counts) {
+                    behind |= lamps_behind(own + i, bounds);
+                }
+            }
+            taken |= u32(counts) << i;
         }
         var place = sum_up_to(lane, countOneBits(taken)) - countOneBits(taken);
         let found = workgroupUniformLoad(&sums[WORKGROUP - 1u]);
@@ -38,13 +59,23 @@ fn log_visibility(receiver: Receiver, bounds: vec4f, lane: u32) -> array<f32, $B
         for (var i = 0u; i < found; i += 1u) {
             let blocker = replace(cut[i].center - receiver.position, receiver.normal, cut[i].radius);
             if (covered && blocker.sine > 0.0) {
-                sum = sh$A_accumulate_blocker(
-                    sum, blocker.sine, blocker.cosine, blocker.direction, cut[i].weights);
+                var weights = cut[i].weights;
+                if (of_lamp) {
+                    let part = lamp_part(lamp, cut[i].center, cut[i].radius, blocker, receiver.position);
+                    for (var l = 0u; l < $Au; l += 1u) {
+                        weights[l] *= part;
+                    }
+                }
+                sum = sh$A_accumulate_blocker(sum, blocker.sine, blocker.cosine, blocker.direction, weights);
             }
         }
         workgroupBarrier();
     }
-    return sum;
+    var lamps = 0u;
+    if (LAMPS && !of_lamp) {
+        lamps = gather_lamps(behind, lane);
+    }
+    return LogVisibility(sum, lamps);
 }
 
 // Visibility, of which the light's order has the lower bands.

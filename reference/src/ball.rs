@@ -33,14 +33,26 @@ fn legendre(band: usize, x: f64) -> f64 {
 /// assert!((sh_reference::ball::mean(3, 1.0 - 1e-9) - 1.0).abs() < 1e-3);
 /// ```
 pub fn mean(band: usize, sine: f64) -> f64 {
-    let (mut sum, mut whole) = (0.0, 0.0);
+    means(band + 1, sine)[band]
+}
+
+/// [`mean`] of all bands below `order`.
+///
+/// ```
+/// use sh_reference::ball::{mean, means};
+/// assert_eq!(means(3, 0.4), [1.0, mean(1, 0.4), mean(2, 0.4)]);
+/// ```
+pub fn means(order: usize, sine: f64) -> Vec<f64> {
+    let (mut sums, mut whole) = (vec![0.0; order], 0.0);
     for (w, weight) in gauss_legendre(NODES, 0.0, 1.0) {
         let mu = (1.0 - sine * sine * (1.0 - w * w)).sqrt();
         let area = weight * w / mu;
-        sum += area * legendre(band, sine * (1.0 - w * w) + mu * w);
+        for (band, sum) in sums.iter_mut().enumerate() {
+            *sum += area * legendre(band, sine * (1.0 - w * w) + mu * w);
+        }
         whole += area;
     }
-    sum / whole
+    sums.iter().map(|sum| sum / whole).collect()
 }
 
 /// The mean of P_l(cos α) as Guerrero et al. weigh it (equation 16): over the ball's surface by the cosine of the angle at

@@ -88,6 +88,11 @@ impl<'a> Section<'a> {
             .error(&span, format!("{}{dot}{key} {message}", self.name))
     }
 
+    /// Whether a key is there.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.table.contains_key(key)
+    }
+
     fn value(&self, key: &str) -> Option<&'a DeValue<'a>> {
         self.table.get(key).map(|value| value.get_ref())
     }
@@ -210,6 +215,27 @@ impl<'a> Section<'a> {
             .map(section)
             .collect::<Result<_, _>>()
             .map(Some)
+    }
+
+    /// A list of colours, each three numbers, or one for a gray.
+    pub(crate) fn colors(&self, key: &str) -> Result<Option<Vec<[f32; 3]>>, Error> {
+        let color = |value: &DeValue| match value {
+            DeValue::Array(array) => {
+                let channels = array.iter().map(|v| number(v.get_ref()));
+                let channels = channels.collect::<Option<Vec<f32>>>()?;
+                <[f32; 3]>::try_from(channels).ok()
+            }
+            other => number(other).map(|n| [n; 3]),
+        };
+        let colors = match self.value(key) {
+            None => return Ok(None),
+            Some(DeValue::Array(array)) => array.iter().map(|v| color(v.get_ref())).collect(),
+            Some(_) => None,
+        };
+        colors.map(Some).ok_or_else(|| {
+            let message = "has to be a list of numbers, or of triples like [0.1, 0.2, 0.3].";
+            self.error(key, message)
+        })
     }
 
     /// Three numbers that `allowed` allows. One number stands for three equal ones where `spread` says so.

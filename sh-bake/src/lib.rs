@@ -28,6 +28,7 @@
 //! ```toml
 //! [[objects]]                  # at least one
 //! mesh = "bunny.obj"           # .obj, .gltf or .glb, relative to this file
+//! name = "bunny"               # what lights call it; its file's name where nothing is said
 //! spheres = 64                 # 1 to 4096
 //! scale = 1.0                  # applied first,
 //! rotate = [0, 90, 0]          # then turned about x, then y, then z, in degrees,
@@ -56,6 +57,11 @@
 //! radius = 0.2
 //! radiance = 40
 //! window = 6                   # of its spherical harmonics, in bands; as wide as ringing allows where nothing is said
+//! object = "bunny"             # bound to an object: center, radius and brightness in its space, moved and turned with it
+//! towards = [0, -1, 0]         # glows where its surface faces this way,
+//! spread = 90                  # within so many degrees, 0 to 180; all over where nothing is said. Or instead:
+//! # map = "lamp.hdr"           # as bright in each direction from its centre as this map, times the radiance
+//! # distribution = [3.5, 0, -2, 0]   # SH coefficients, numbers or colours, 1, 4, 9, 16, 25 or 36, times the radiance
 //!
 //! [ground]                     # an infinite plane that receives shadows
 //! height = 0.0                 # under the lowest point where nothing is said

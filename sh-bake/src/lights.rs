@@ -2,15 +2,37 @@
 
 use crate::error::Error;
 use crate::keys::Section;
-use crate::scene_file::FAR;
+use crate::load::file_name;
+use crate::load_environment;
+use crate::objects::ObjectEntry;
+use crate::scene_file::{FAR, beside};
 use glam::Vec3;
-use sh_scene::{AreaLight, AreaShape};
+use sh_scene::{AreaLight, AreaShape, Distribution};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// One of `[[lights]]`.
+pub(crate) struct LightEntry {
+    /// Without what it is bound to and, before [`load`](Self::load), without its map.
+    pub(crate) light: AreaLight,
+    /// Which of `[[objects]]` it is bound to.
+    pub(crate) object: Option<usize>,
+    /// The map of its brightness.
+    map: Option<PathBuf>,
+}
 
 /// What a light is, for one that says too little or too much.
 const NEEDS: &str = "a light needs a direction and an angle, or a center and a radius.";
 
-/// All lights of a scene.
-pub(crate) fn read(root: &Section) -> Result<Vec<AreaLight>, Error> {
+/// Keys that say how bright a ball is where, of which it has one at most.
+const DISTRIBUTIONS: [&str; 3] = ["towards", "map", "distribution"];
+
+/// All lights of the scene in a file, whose objects are known.
+pub(crate) fn read(
+    root: &Section,
+    path: &Path,
+    objects: &[ObjectEntry],
+) -> Result<Vec<LightEntry>, Error> {
     let known = [
         "direction",
         "angle",
@@ -18,16 +40,70 @@ pub(crate) fn read(root: &Section) -> Result<Vec<AreaLight>, Error> {
         "radius",
         "radiance",
         "window",
+        "object",
+        "towards",
+        "spread",
+        "map",
+        "distribution",
     ];
     let entries = root
         .sections("lights", "lights", &known)?
         .unwrap_or_default();
-    entries.iter().map(light).collect()
+    let entries = entries.iter().map(|entry| light(entry, path, objects));
+    entries.collect()
 }
 
-fn light(s: &Section) -> Result<AreaLight, Error> {
+impl LightEntry {
+    /// Reads its map.
+    pub(crate) fn load(&mut self) -> Result<(), Error> {
+        if let Some(map) = &self.map {
+            self.light.distribution = Some(Distribution::of_map(&load_environment(map)?));
+        }
+        Ok(())
+    }
+
+    /// The light, bound to the first of the bodies that its object became.
+    pub(crate) fn bound(&self, bodies: &[Range<usize>]) -> AreaLight {
+        AreaLight {
+            object: self.object.map(|object| bodies[object].start),
+            ..self.light
+        }
+    }
+}
+
+fn light(s: &Section, path: &Path, objects: &[ObjectEntry]) -> Result<LightEntry, Error> {
+    let shape = shape(s)?;
+    if let AreaShape::Distant { .. } = shape {
+        let only_balls = DISTRIBUTIONS.iter().chain(&["spread", "object"]);
+        for key in only_balls.filter(|key| s.has(key)) {
+            let message = "has no place beside direction: it is for a ball, which has a center.";
+            return Err(s.error(key, message));
+        }
+    }
+    let map = s.string("map")?.map(|map| beside(path, map));
+    let radiance = s.triple("radiance", "from 0 to 1e9", true, |n| {
+        (0.0..=1e9).contains(&n)
+    })?;
+    // A map says all by itself.
+    let of_map = map.as_ref().map(|_| [1.0; 3]);
+    let radiance = radiance.or(of_map).ok_or_else(|| {
+        let message = "is missing: it is how bright the light's surface is.";
+        s.error("radiance", message)
+    })?;
+    Ok(LightEntry {
+        light: AreaLight {
+            window: s.number("window", "above 0", |n| n > 0.0)?,
+            distribution: distribution(s)?,
+            ..AreaLight::of(shape, radiance)
+        },
+        object: object(s, objects)?,
+        map,
+    })
+}
+
+fn shape(s: &Section) -> Result<AreaShape, Error> {
     let metres = |key| s.triple(key, "of metres", false, |n| n.abs() < FAR);
-    let direction = s.triple("direction", "of any length but 0", false, |n| n.abs() < FAR)?;
+    let direction = towards(s, "direction", "shine from")?;
     let angle = s.number("angle", "of degrees above 0, up to 90", |n| {
         n > 0.0 && n <= 90.0
     })?;
@@ -36,44 +112,99 @@ fn light(s: &Section) -> Result<AreaLight, Error> {
     let missing = |key: &str| s.error(key, format!("is missing: {NEEDS}"));
     let beside =
         |key: &str, other: &str| s.error(key, format!("has no place beside {other}: {NEEDS}"));
-    let shape = match (direction, center) {
-        (Some(direction), None) => {
-            if radius.is_some() {
-                return Err(beside("radius", "direction"));
-            }
-            let direction = Vec3::from(direction);
-            if direction.try_normalize().is_none() {
-                let message = "has no length, so there is nowhere to shine from.";
-                return Err(s.error("direction", message));
-            }
-            AreaShape::Distant {
-                direction,
-                angle: angle.ok_or_else(|| missing("angle"))?.to_radians(),
-            }
+    match (direction, center) {
+        (Some(_), None) if radius.is_some() => Err(beside("radius", "direction")),
+        (Some(direction), None) => Ok(AreaShape::Distant {
+            direction,
+            angle: angle.ok_or_else(|| missing("angle"))?.to_radians(),
+        }),
+        (None, Some(_)) if angle.is_some() => Err(beside("angle", "center")),
+        (None, Some(center)) => Ok(AreaShape::Local {
+            center: center.into(),
+            radius: radius.ok_or_else(|| missing("radius"))?,
+        }),
+        (Some(_), Some(_)) => Err(beside("center", "direction")),
+        (None, None) => Err(missing("direction")),
+    }
+}
+
+/// A direction of any length but 0; there is somewhere to `go`.
+fn towards(s: &Section, key: &str, go: &str) -> Result<Option<Vec3>, Error> {
+    let given = s.triple(key, "of any length but 0", false, |n| n.abs() < FAR)?;
+    let direction = given.map(Vec3::from);
+    match direction {
+        Some(direction) if direction.try_normalize().is_none() => {
+            let message = format!("has no length, so there is nowhere to {go}.");
+            Err(s.error(key, message))
         }
-        (None, Some(center)) => {
-            if angle.is_some() {
-                return Err(beside("angle", "center"));
-            }
-            AreaShape::Local {
-                center: center.into(),
-                radius: radius.ok_or_else(|| missing("radius"))?,
-            }
-        }
-        (Some(_), Some(_)) => return Err(beside("center", "direction")),
-        (None, None) => return Err(missing("direction")),
-    };
-    let radiance = s.triple("radiance", "from 0 to 1e9", true, |n| {
-        (0.0..=1e9).contains(&n)
+        _ => Ok(direction),
+    }
+}
+
+/// How bright a ball is where, but for what a map says.
+fn distribution(s: &Section) -> Result<Option<Distribution>, Error> {
+    let mut said = DISTRIBUTIONS.iter().filter(|key| s.has(key));
+    if let (Some(first), Some(second)) = (said.next(), said.next()) {
+        let message =
+            format!("has no place beside {first}: one of them says how bright a ball is where.");
+        return Err(s.error(second, message));
+    }
+    let spread = s.number("spread", "of degrees above 0, up to 180", |n| {
+        n > 0.0 && n <= 180.0
     })?;
-    Ok(AreaLight {
-        shape,
-        radiance: radiance.ok_or_else(|| {
-            s.error(
-                "radiance",
-                "is missing: it is how bright the light's surface is.",
-            )
-        })?,
-        window: s.number("window", "above 0", |n| n > 0.0)?,
+    match (towards(s, "towards", "glow to")?, spread) {
+        (Some(direction), Some(spread)) => {
+            // 180 degrees in single precision may be a little more than π.
+            let angle = spread.to_radians().min(std::f32::consts::PI);
+            let cap = Distribution::cap(direction, angle);
+            return cap.map(Some).map_err(|e| s.error("towards", e));
+        }
+        (Some(_), None) => {
+            let message = "is missing: it is the angle about `towards` within which a ball glows.";
+            return Err(s.error("spread", message));
+        }
+        (None, Some(_)) => {
+            let message = "says within which angle a ball glows, but there is no `towards`.";
+            return Err(s.error("spread", message));
+        }
+        (None, None) => {}
+    }
+    let Some(coefficients) = s.colors("distribution")? else {
+        return Ok(None);
+    };
+    Distribution::new(&coefficients).map(Some).map_err(|_| {
+        let found = coefficients.len();
+        let message = format!(
+            "has {found} SH coefficients, but an order has 1, 4, 9, 16, 25 or 36 of them, and all have to be finite."
+        );
+        s.error("distribution", message)
     })
+}
+
+/// Which object a light is bound to.
+fn object(s: &Section, objects: &[ObjectEntry]) -> Result<Option<usize>, Error> {
+    let Some(name) = s.string("object")? else {
+        return Ok(None);
+    };
+    let called = |entry: &ObjectEntry| match &entry.name {
+        Some(name) => name.clone(),
+        None => file_name(&entry.mesh),
+    };
+    let names: Vec<String> = objects.iter().map(called).collect();
+    let mut found = (0..names.len()).filter(|&i| names[i] == name);
+    match (found.next(), found.next()) {
+        (Some(index), None) => Ok(Some(index)),
+        (Some(_), Some(_)) => {
+            let message = format!(
+                "is {name:?}, but several objects are called so: give one a name of its own, name = \"...\"."
+            );
+            Err(s.error("object", message))
+        }
+        (None, _) => {
+            let names = names.join(", ");
+            let message =
+                format!("is {name:?}, but no object is called so; the objects are {names}.");
+            Err(s.error("object", message))
+        }
+    }
 }

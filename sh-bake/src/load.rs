@@ -9,7 +9,7 @@ use crate::{Cache, Choices, SphereSet, SurfaceReport, is_closed, load_environmen
 use glam::Vec3;
 use rayon::prelude::*;
 use sh_scene::motion::Motion;
-use sh_scene::{Camera, Ground, Mesh, Object, Scene, Sky, SurfaceSamples};
+use sh_scene::{AreaLight, Camera, Ground, Mesh, Object, Scene, Sky, SurfaceSamples};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -144,6 +144,9 @@ pub fn load_scene_with<'a>(
         Some(map) => load_environment(map)?,
         None => Sky::default().map(512, 256),
     };
+    for light in &mut file.lights {
+        light.load()?;
+    }
     report.read_time = start.elapsed();
 
     let start = Instant::now();
@@ -223,7 +226,16 @@ pub fn load_scene_with<'a>(
         motion.turn_environment(environment.clone(), start, rate);
         environment
     };
-    Ok(assemble(&file, objects, environment, motion, report))
+    let lights = file.lights.iter().map(|light| light.bound(&whole));
+    let lights = lights.collect();
+    Ok(assemble(
+        &file,
+        objects,
+        lights,
+        environment,
+        motion,
+        report,
+    ))
 }
 
 /// A sphere set and how it came about.
@@ -340,6 +352,7 @@ fn bodies(entry: &ObjectEntry, model: &Model, set: &SphereSet) -> Vec<Object> {
 fn assemble(
     file: &SceneFile,
     objects: Vec<Object>,
+    lights: Vec<AreaLight>,
     environment: sh_scene::EnvironmentMap,
     mut motion: Motion,
     report: Report,
@@ -347,7 +360,7 @@ fn assemble(
     let mut scene = Scene {
         objects,
         environment,
-        lights: file.lights.clone(),
+        lights,
         ground: None,
         camera: Camera::framing(Vec3::ZERO, Vec3::ZERO, Camera::FOV),
         settings: file.settings,

@@ -12,6 +12,8 @@ use toml::de::DeTable;
 /// One of `[[objects]]`.
 pub(crate) struct ObjectEntry {
     pub(crate) mesh: PathBuf,
+    /// What lights call it, if not by its file's name.
+    pub(crate) name: Option<String>,
     pub(crate) spheres: usize,
     pub(crate) place: Place,
     pub(crate) albedo: Option<[f32; 3]>,
@@ -33,6 +35,7 @@ impl ObjectEntry {
     pub(crate) fn of_mesh(path: &Path) -> Self {
         Self {
             mesh: path.to_path_buf(),
+            name: None,
             spheres: SPHERES,
             place: REST,
             albedo: None,
@@ -49,6 +52,7 @@ impl ObjectEntry {
     ) -> Result<Self, Error> {
         let known = [
             "mesh",
+            "name",
             "spheres",
             "translate",
             "rotate",
@@ -69,6 +73,7 @@ impl ObjectEntry {
         });
         Ok(Self {
             mesh: beside(source.path, mesh),
+            name: s.string("name")?.map(String::from),
             spheres: s.count("spheres", 1..=4096)?.unwrap_or(SPHERES),
             place,
             albedo: albedo(&s)?,

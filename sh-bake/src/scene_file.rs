@@ -2,10 +2,11 @@
 
 use crate::error::{Error, read};
 use crate::keys::{Section, Source};
+use crate::lights::LightEntry;
 use crate::objects::ObjectEntry;
 use crate::{indirect, lights};
 use glam::Vec3;
-use sh_scene::{AreaLight, Camera, Limits, Settings};
+use sh_scene::{Camera, Limits, Settings};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::de::{DeTable, DeValue};
@@ -29,7 +30,7 @@ pub(crate) struct SceneFile {
     /// Radians.
     pub(crate) fov: Option<f32>,
     pub(crate) settings: Settings,
-    pub(crate) lights: Vec<AreaLight>,
+    pub(crate) lights: Vec<LightEntry>,
 }
 
 /// Coordinates and factors beyond this leave what `f32` can square.
@@ -102,7 +103,7 @@ impl SceneFile {
         if scene.objects.is_empty() {
             return Err(root_section.error("objects", "is empty: a scene needs an [[objects]]."));
         }
-        scene.lights = lights::read(&root_section)?;
+        scene.lights = lights::read(&root_section, path, &scene.objects)?;
         let section = |name: &'static str, known: &[&str]| match root.get(name) {
             None => Ok(None),
             Some(value) => {
@@ -276,6 +277,8 @@ mod tests {
             (4, Some(8.0))
         );
         assert_eq!(scene.lights.len(), 2);
+        assert_eq!(scene.lights[1].object, Some(0));
+        assert!(scene.lights[1].light.distribution.is_some());
         assert!(!scene.settings.half_resolution);
         assert_eq!(scene.settings.accumulation, 6);
         assert_eq!(scene.settings.indirect, Some(Default::default()));
@@ -379,6 +382,42 @@ mod tests {
             (
                 "[[lights]]\ndirection = [0, 0, 0]\nangle = 2",
                 "line 4: lights.direction has no length, so there is nowhere to shine from.",
+            ),
+            (
+                "[[lights]]\ncenter = [0, 1, 0]\nradius = 1\nradiance = 1\nobject = \"b.obj\"",
+                "line 7: lights.object is \"b.obj\", but no object is called so; the objects are a.obj.",
+            ),
+            (
+                "[[objects]]\nmesh = \"b/a.obj\"\n[[lights]]\ncenter = [0, 1, 0]\nradius = 1\nradiance = 1\nobject = \"a.obj\"",
+                "line 9: lights.object is \"a.obj\", but several objects are called so",
+            ),
+            (
+                "[[lights]]\ndirection = [0, 1, 0]\nangle = 1\nradiance = 1\nobject = \"a.obj\"",
+                "line 7: lights.object has no place beside direction: it is for a ball, which has a center.",
+            ),
+            (
+                "[[lights]]\ncenter = [0, 1, 0]\nradius = 1\nradiance = 1\ntowards = [0, 1, 0]",
+                "line 3: lights.spread is missing: it is the angle about `towards`",
+            ),
+            (
+                "[[lights]]\ncenter = [0, 1, 0]\nradius = 1\nradiance = 1\nspread = 90",
+                "line 7: lights.spread says within which angle a ball glows, but there is no `towards`.",
+            ),
+            (
+                "[[lights]]\ncenter = [0, 1, 0]\nradius = 1\nradiance = 1\nspread = 90\ntowards = [0, 0, 0]",
+                "line 8: lights.towards has no length, so there is nowhere to glow to.",
+            ),
+            (
+                "[[lights]]\ncenter = [0, 1, 0]\nradius = 1\nradiance = 1\ndistribution = [1]\nmap = \"a.hdr\"",
+                "line 7: lights.distribution has no place beside map: one of them says",
+            ),
+            (
+                "[[lights]]\ncenter = [0, 1, 0]\nradius = 1\nradiance = 1\ndistribution = [1, 2]",
+                "line 7: lights.distribution has 2 SH coefficients, but an order has 1, 4, 9, 16, 25 or 36 of them",
+            ),
+            (
+                "[[lights]]\ncenter = [0, 1, 0]\nradius = 1\nradiance = 1\ndistribution = [1, [2, 3], 4, 5]",
+                "line 7: lights.distribution has to be a list of numbers, or of triples",
             ),
             (
                 "[settings]\nshadows = 1",

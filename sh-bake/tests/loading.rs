@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, Vec3};
 use sh_bake::{SphereSet, load_environment, load_mesh, load_scene, shapes};
-use sh_scene::{Mesh, View};
+use sh_scene::{AreaShape, Mesh, View};
 use std::path::{Path, PathBuf};
 
 fn good(name: &str) -> PathBuf {
@@ -58,6 +58,33 @@ fn nodes_move_and_mirror_their_meshes() {
     assert_eq!((texture.width, texture.height), (2, 1));
     assert_eq!(texture.rgba, [255, 0, 0, 255, 0, 0, 255, 255]);
     assert_eq!(part.mesh.uvs[1], [1.0, 1.0]);
+}
+
+/// Lamps of a scene file: bound to an object by its name or that of its file, and bright where they say.
+#[test]
+fn lamps_are_bound_to_objects() {
+    let scene = load_scene(&good("lamps.toml")).unwrap().scene;
+    let lamps = scene.placed_lights().unwrap();
+    let AreaShape::Local { center, radius } = lamps[0].shape else {
+        panic!("a ball");
+    };
+    assert!(
+        center.abs_diff_eq(Vec3::new(-2.0, 5.0, 0.0), 1e-5),
+        "{center}"
+    );
+    assert!((radius - 0.2).abs() < 1e-6);
+    // Its object stands on its head.
+    let below = lamps[0].distribution.unwrap();
+    assert!(below.at(Vec3::Y)[0] > 0.9 && below.at(Vec3::NEG_Y)[0] < 0.1);
+    assert_eq!(scene.lights[1].object, Some(2));
+    let of_map = lamps[1].distribution.unwrap();
+    let grey = load_environment(&good("grey.hdr")).unwrap().pixels[0][1];
+    assert!((of_map.at(Vec3::X)[1] - grey).abs() < 1e-3 * grey);
+    assert_eq!(lamps[1].radiance, [1.0; 3]);
+    let given = lamps[2].distribution.unwrap();
+    assert_eq!(given.coefficients()[0], [1.0, 2.0, 3.0]);
+    assert_eq!(given.coefficients()[2], [0.5; 3]);
+    assert_eq!(scene.light().unwrap().emitters.len(), 3);
 }
 
 #[test]

@@ -6,11 +6,13 @@
 
 use crate::Path;
 use crate::accumulate::Blockers;
+use crate::behind::Behind;
 use crate::drive::MAX_ORDER;
 use crate::horizon::is_below;
 use crate::ratio::{Detail, Ratios};
 use glam::Vec3;
 use rayon::prelude::*;
+use sh_scene::order::LAMPS;
 use sh_scene::{Blocker, Bounds, Forest, Light, Limits, Node, Receiver, Side, Sphere};
 use std::ops::Range;
 
@@ -33,6 +35,8 @@ struct Cut {
     bounds: Option<Bounds>,
     /// Bit i: the light's emitter i gives nothing to any receiver.
     dark: u64,
+    /// What does not hide lamps that are before it.
+    behind: Behind,
     /// Nodes that were left out because they are too small.
     small: usize,
 }
@@ -118,9 +122,45 @@ impl Cuts {
         });
     }
 
+    /// Finds out which blockers may be behind a lamp for some receiver of a cluster, and do not hide it then. To be called
+    /// after [`find`](Self::find) and [`dim`](Self::dim), with the same forest: without it blockers hide lamps wherever they
+    /// are, as they do those beyond the [32nd](sh_scene::order::LAMPS).
+    pub fn part(&mut self, light: &Light, forest: &Forest) {
+        if light.emitters.is_empty() {
+            return;
+        }
+        self.cuts.par_iter_mut().for_each(|cut| {
+            let Some(bounds) = &cut.bounds else {
+                return;
+            };
+            let blockers = Blockers {
+                front: &cut.front,
+                across: &cut.across,
+            };
+            let nodes = cut.nodes.each_ref().map(|nodes| &nodes[..]);
+            for (i, emitter) in light.emitters.iter().enumerate().take(LAMPS) {
+                if cut.dark >> i & 1 == 0 {
+                    cut.behind
+                        .find((i, emitter), bounds, forest, blockers, nodes);
+                }
+            }
+        });
+    }
+
     /// Which lamps give nothing to a cluster.
     pub(crate) fn dark(&self, cluster: usize) -> u64 {
         self.cuts[cluster].dark
+    }
+
+    /// Which blockers do not hide which lamps of a cluster.
+    pub(crate) fn behind(&self, cluster: usize) -> &Behind {
+        &self.cuts[cluster].behind
+    }
+
+    /// How many pairs of a cluster and a lamp there are that may have blockers behind it.
+    pub fn lamps_before(&self) -> usize {
+        let before = self.cuts.iter().map(|cut| cut.behind.lamps().count_ones());
+        before.sum::<u32>() as usize
     }
 
     /// How many pairs of a cluster and a lamp below its horizon there are.
@@ -134,14 +174,18 @@ impl Cuts {
         self.cuts.iter().map(|cut| cut.small).sum()
     }
 
-    /// One cluster of so many receivers, with every sphere as a blocker that each receiver looks at itself.
-    pub fn everything(spheres: &[Sphere], receivers: usize) -> Self {
-        let cut = Cut {
+    /// One cluster of so many receivers, with every sphere as a blocker that each receiver looks at itself, and every lamp
+    /// of `light` by itself.
+    pub fn everything(spheres: &[Sphere], receivers: usize, light: &Light) -> Self {
+        let mut cut = Cut {
             front: Vec::new(),
             across: spheres.iter().copied().map(Blocker::new).collect(),
             receivers,
             ..Cut::default()
         };
+        for lamp in light.emitters.iter().enumerate() {
+            cut.behind.take_all(lamp, &cut.across);
+        }
         Self { cuts: vec![cut] }
     }
 
@@ -173,7 +217,8 @@ impl Cuts {
     pub fn bytes(&self) -> usize {
         let lists = |cut: &Cut| {
             let [front, across] = cut.nodes.each_ref().map(|nodes| size_of_val(&nodes[..]));
-            size_of_val(&cut.front[..]) + size_of_val(&cut.across[..]) + front + across
+            let blockers = size_of_val(&cut.front[..]) + size_of_val(&cut.across[..]);
+            blockers + front + across + cut.behind.bytes()
         };
         size_of_val(&self.cuts[..]) + self.cuts.iter().map(lists).sum::<usize>()
     }
@@ -199,10 +244,12 @@ impl Cut {
             ratios,
             bounds,
             dark,
+            behind,
             small,
             ..
         } = self;
         (*dark, *small) = (0, 0);
+        behind.clear();
         front.clear();
         across.clear();
         nodes_front.clear();

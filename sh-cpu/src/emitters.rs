@@ -4,8 +4,12 @@
 //! fits each entry with one zonal lobe, so that it can be turned to the receiver. Here the product of visibility and cosine lobe is at
 //! hand already, since the environment needs it: (L, H(N), g) = L · (g * H(N)). What is left of a light is a
 //! zonal vector in closed form, turned and dotted: exact, and cheaper than a look-up.
+//!
+//! A ball that is not equally bright all over gives the mean radiance of what the receiver sees of it, as spheres do
+//! that send light on (Guerrero et al. 2008, equations 16 to 18 and section 7.3).
 
 use crate::accumulate::{dot, each};
+use crate::irradiance::reflected;
 use sh_core::{Lane, ROOT_FOUR_PI, Routines};
 use sh_scene::Emitter;
 
@@ -54,8 +58,25 @@ where
         let lit = light.dot(transfer).min(light.dot(open));
         // What is not a number fails the comparison.
         let lit = L::select(zero.lt(lit), lit, zero);
-        for (sum, radiance) in sum.iter_mut().zip(emitter.radiance) {
-            *sum = lit.mul_add(zero.lift(f64::from(radiance)), *sum);
+        let mut radiance = emitter.radiance.map(
+            #[inline(always)]
+            |c| zero.lift(f64::from(c)),
+        );
+        if emitter.order > 0 {
+            let back = direction.map(
+                #[inline(always)]
+                |c| -c,
+            );
+            let mean = reflected(
+                &<[L; C]>::ball_average(sine, cosine, back),
+                &emitter.distribution,
+            );
+            for (radiance, mean) in radiance.iter_mut().zip(mean) {
+                *radiance = *radiance * mean.max(zero);
+            }
+        }
+        for (sum, radiance) in sum.iter_mut().zip(radiance) {
+            *sum = lit.mul_add(radiance, *sum);
         }
     }
     sum

@@ -86,9 +86,12 @@ where
     [red.max(zero), green.max(zero), blue.max(zero)]
 }
 
-/// The light's three channels dotted with an SH vector.
+/// The light's three channels, the first of `K`, dotted with an SH vector.
 #[inline(always)]
-pub(crate) fn reflected<L: Lane, const C: usize>(f: &[L; C], light: &[[f32; 3]]) -> [L; 3] {
+pub(crate) fn reflected<L: Lane, const C: usize, const K: usize>(
+    f: &[L; C],
+    light: &[[f32; K]],
+) -> [L; 3] {
     let zero = f[0].lift(0.0);
     let mut sum = [zero; 3];
     for (coefficient, light) in f.iter().zip(light) {

@@ -29,6 +29,7 @@
 //! ```
 
 mod accumulate;
+mod behind;
 mod cut;
 mod drive;
 mod emitters;

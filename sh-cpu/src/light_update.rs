@@ -475,6 +475,8 @@ impl Points {
         self.cuts
             .bound(&self.receivers, &self.clusters, 0..self.clusters.len());
         self.cuts.find(path, forest, cut);
+        self.cuts.dim(light);
+        self.cuts.part(light, forest);
         let shadow = Shadow {
             clusters: &self.clusters,
             cuts: &self.cuts,

@@ -8,6 +8,7 @@
 
 use crate::SphericalLights;
 use crate::accumulate::{Blockers, accumulated};
+use crate::behind::{Change, parted};
 use crate::emitters::emitted;
 use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
 use crate::light_cut::LightCut;
@@ -29,6 +30,15 @@ where
         position: [Self; 3],
         normal: [Self; 3],
         blockers: Blockers,
+    ) -> [Self; C];
+
+    /// `sum`, on the same scale, as a lamp has it that some of the blockers are behind.
+    fn parted(
+        sum: &[Self; C],
+        position: [Self; 3],
+        normal: [Self; 3],
+        emitter: &Emitter,
+        changes: &[Change],
     ) -> [Self; C];
 
     /// F_l(θ) P_l(s · axis) of each band l, with F the cap logarithm of a ball of this radius and s the direction
@@ -87,6 +97,21 @@ macro_rules! routines {
                 position[0],
                 #[inline(always)]
                 || accumulated(sum, position, normal, blockers),
+            )
+        }
+
+        #[$inline]
+        fn parted(
+            sum: &[Self; $c],
+            position: [Self; 3],
+            normal: [Self; 3],
+            emitter: &Emitter,
+            changes: &[Change],
+        ) -> [Self; $c] {
+            $enter(
+                position[0],
+                #[inline(always)]
+                || parted(sum, position, normal, emitter, changes),
             )
         }
 

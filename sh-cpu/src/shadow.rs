@@ -15,11 +15,15 @@
 //! the visibility that they give, the bands that the light has are more accurate than those of a sum that
 //! was cut off before the exponential, which couples all bands.
 //!
+//! A lamp is hidden by what is before it. Where a cluster may have a blocker behind one, the lamp has a sum of its own,
+//! and with it a visibility of its own.
+//!
 //! Blockers that never move against a receiver can be summed up once ([`bake`]): the sum starts with their
 //! logarithm. The paper keeps their visibility instead, and needs a general product to put them together with what
-//! moves; a logarithm needs none, and gives what all blockers together would have given.
+//! moves; a logarithm needs none, and gives what all blockers together would have given. They hide lamps wherever they are.
 
 use crate::accumulate::Blockers;
+use crate::behind::Behind;
 use crate::drive::{Group, Kernel, MAX_ORDER, Place, Work, check_light, drive};
 use crate::irradiance::{reflected, unblocked};
 use crate::outline::{Outline, OutlineAll};
@@ -75,7 +79,7 @@ pub fn shadow_on(
     let everyone = 0..receivers.len();
     let all = Shadow {
         clusters: std::slice::from_ref(&everyone),
-        cuts: &Cuts::everything(spheres, receivers.len()),
+        cuts: &Cuts::everything(spheres, receivers.len(), light),
         light,
         accumulation,
         baked: None,
@@ -209,26 +213,33 @@ impl Kernel for Shadow<'_> {
         let start = self.baked.map(|baked| {
             move |i: usize| place.gather(|receiver| baked[receiver * coefficients + i])
         });
-        let blockers = self.cuts.of(place.cluster);
+        let blockers = (self.cuts, place.cluster);
         shade::<L, C>(
             position,
             normal,
             blockers,
-            (self.light, self.cuts.dark(place.cluster)),
+            self.light,
             self.accumulation,
             start,
         )
     }
 }
 
-/// Radiance of albedo 1 in three channels, for one group of receivers under light of `C` coefficients;
-/// `accumulation` as in [`Shadow`]. Bit i of `dark` says that the light's emitter i gives nothing. `start` tells the coefficients that the sum of logarithms starts with; none: 0.
+/// The light, and which blockers of a cluster do not hide which of its lamps.
+#[derive(Clone, Copy)]
+struct Lamps<'a> {
+    light: &'a Light,
+    behind: &'a Behind,
+}
+
+/// Radiance of albedo 1 in three channels, for one group of receivers of a cluster under light of `C` coefficients;
+/// `accumulation` as in [`Shadow`]. `start` tells the coefficients that the sum of logarithms starts with; none: 0.
 #[inline(always)]
 pub fn shade<L: OutlineAll + Outline<C>, const C: usize>(
     position: [L; 3],
     normal: [L; 3],
-    blockers: Blockers,
-    (light, dark): (&Light, u64),
+    (cuts, cluster): (&Cuts, usize),
+    light: &Light,
     accumulation: usize,
     start: Option<impl Fn(usize) -> L>,
 ) -> [L; 3]
@@ -236,22 +247,40 @@ where
     [L; C]: Routines<L>,
 {
     let zero = position[0].lift(0.0);
+    let blockers = cuts.of(cluster);
+    let lamps = Lamps {
+        light,
+        behind: cuts.behind(cluster),
+    };
+    let done = cuts.dark(cluster) | lamps.behind.lamps();
     let mut visibility = [zero; C];
+    let lobe = <[L; C]>::cosine(normal);
+    // What lamps give that are before some of the blockers.
+    let mut before = [zero; 3];
+    let place = (position, normal);
+    let mut add = |lamp: usize, visibility: &[L; C]| {
+        let transfer = <L as Outline<C>>::product_cosine(visibility, normal);
+        let emitter = std::slice::from_ref(&lamps.light.emitters[lamp]);
+        let given = L::emitted(&transfer, &lobe, position, emitter, 0);
+        for (sum, given) in before.iter_mut().zip(given) {
+            *sum = *sum + given;
+        }
+    };
     match accumulation {
-        2 => lower_bands::<L, 4>(position, normal, blockers, start, &mut visibility),
-        3 => lower_bands::<L, 9>(position, normal, blockers, start, &mut visibility),
-        4 => lower_bands::<L, 16>(position, normal, blockers, start, &mut visibility),
-        5 => lower_bands::<L, 25>(position, normal, blockers, start, &mut visibility),
-        _ => lower_bands::<L, 36>(position, normal, blockers, start, &mut visibility),
+        2 => lower_bands::<L, 4, C>(place, blockers, start, &mut visibility, lamps, &mut add),
+        3 => lower_bands::<L, 9, C>(place, blockers, start, &mut visibility, lamps, &mut add),
+        4 => lower_bands::<L, 16, C>(place, blockers, start, &mut visibility, lamps, &mut add),
+        5 => lower_bands::<L, 25, C>(place, blockers, start, &mut visibility, lamps, &mut add),
+        _ => lower_bands::<L, 36, C>(place, blockers, start, &mut visibility, lamps, &mut add),
     }
     let transfer = <L as Outline<C>>::product_cosine(&visibility, normal);
-    let lobe = <[L; C]>::cosine(normal);
     let open = unblocked(&lobe, &light.coefficients);
     let shadowed = reflected(&transfer, &light.coefficients);
     // What is not a number fails the comparison.
     let channel = |c: usize| L::select(zero.lt(shadowed[c]), shadowed[c].min(open[c]), zero);
     let environment = [channel(0), channel(1), channel(2)];
-    with_emitters(environment, &transfer, &lobe, position, (light, dark))
+    let all = with_emitters(environment, &transfer, &lobe, position, (light, done));
+    [all[0] + before[0], all[1] + before[1], all[2] + before[2]]
 }
 
 /// The environment's radiance plus that of the analytic lights.
@@ -274,14 +303,16 @@ where
     [r + red, g + green, b + blue]
 }
 
-/// The first coefficients of the visibility that is accumulated with `A` of them.
+/// The first coefficients of the visibility that is accumulated with `A` of them; `own` is told that of each lamp that has
+/// one of its own.
 #[inline(always)]
-fn lower_bands<L: Outline<A>, const A: usize>(
-    position: [L; 3],
-    normal: [L; 3],
+fn lower_bands<L: Outline<A>, const A: usize, const C: usize>(
+    (position, normal): ([L; 3], [L; 3]),
     blockers: Blockers,
     start: Option<impl Fn(usize) -> L>,
-    visibility: &mut [L],
+    visibility: &mut [L; C],
+    lamps: Lamps,
+    own: &mut impl FnMut(usize, &[L; C]),
 ) where
     [L; A]: Routines<L>,
 {
@@ -291,9 +322,18 @@ fn lower_bands<L: Outline<A>, const A: usize>(
             *slot = start(i);
         }
     }
-    let accumulated = L::visibility(&L::accumulate(&sum, position, normal, blockers));
-    // By reference: an array's own iterator is not taken apart by the compiler.
-    for (slot, coefficient) in visibility.iter_mut().zip(&accumulated) {
-        *slot = *coefficient;
+    let sum = L::accumulate(&sum, position, normal, blockers);
+    let take = |visibility: &mut [L; C], accumulated: &[L; A]| {
+        // By reference: an array's own iterator is not taken apart by the compiler.
+        for (slot, coefficient) in visibility.iter_mut().zip(accumulated) {
+            *slot = *coefficient;
+        }
+    };
+    for (lamp, changes) in lamps.behind.each() {
+        let emitter = &lamps.light.emitters[lamp];
+        let parted = L::parted(&sum, position, normal, emitter, changes);
+        take(visibility, &L::visibility(&parted));
+        own(lamp, visibility);
     }
+    take(visibility, &L::visibility(&sum));
 }

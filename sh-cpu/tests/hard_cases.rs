@@ -4,7 +4,7 @@
 mod shading_cases;
 
 use sh_core::Routines;
-use sh_cpu::{Outline, OutlineAll, Path, shade, shadow_on};
+use sh_cpu::{Cuts, Outline, OutlineAll, Path, shade, shadow_on};
 use sh_scene::{Light, Receiver, Sphere};
 use shading_cases::{CASES, Shade};
 
@@ -32,20 +32,9 @@ fn in_f64(
         f64: OutlineAll + Outline<C>,
     {
         let (p, n) = (r.position.map(f64::from), r.normal.map(f64::from));
-        let across: Vec<_> = s.iter().copied().map(sh_scene::Blocker::new).collect();
-        let blockers = sh_cpu::Blockers {
-            front: &[],
-            across: &across,
-        };
-        shade::<f64, C>(
-            p,
-            n,
-            blockers,
-            (l, 0),
-            accumulation,
-            None::<fn(usize) -> f64>,
-        )
-        .map(|x| x as f32)
+        let cuts = Cuts::everything(s, 1, l);
+        shade::<f64, C>(p, n, (&cuts, 0), l, accumulation, None::<fn(usize) -> f64>)
+            .map(|x| x as f32)
     }
     receivers
         .iter()

@@ -7,8 +7,8 @@ use glam::{Affine3A, Vec3, vec3};
 use sh_cpu::{CutOptions, Cuts, Frames, Path, Shadow, shadow_clusters};
 use sh_scene::surface::SurfacePoint;
 use sh_scene::{
-    AreaLight, AreaShape, Forest, Ground, Indirect, Light, Limits, NEGLIGIBLE, PassKind, Plan,
-    Receiver, Scene, Sphere,
+    AreaLight, Forest, Ground, Indirect, Light, Limits, NEGLIGIBLE, PassKind, Plan, Receiver,
+    Scene, Sphere,
 };
 use std::ops::Range;
 
@@ -98,19 +98,12 @@ fn lamps_below_the_horizon_of_a_cluster_are_skipped_to_the_bit() {
     let lamps: Vec<AreaLight> = lamps
         .iter()
         .enumerate()
-        .map(|(i, &(size, distance, local))| AreaLight {
-            shape: match local {
-                true => AreaShape::Local {
-                    center: vector(i + 31).normalize() * distance,
-                    radius: size,
-                },
-                false => AreaShape::Distant {
-                    direction: vector(i + 31),
-                    angle: size,
-                },
-            },
-            radiance: [3.0, 2.0, 1.0],
-            window: None,
+        .map(|(i, &(size, distance, local))| {
+            let (towards, radiance) = (vector(i + 31), [3.0, 2.0, 1.0]);
+            match local {
+                true => AreaLight::local(towards.normalize() * distance, size, radiance),
+                false => AreaLight::distant(towards, size, radiance),
+            }
         })
         .collect();
     let spheres: Vec<Sphere> = (0..20)

@@ -59,7 +59,7 @@ fn largest_change(steps: usize, limits: Option<Limits>) -> Result<f32, Box<dyn s
     let (receivers, spheres) = (walk(steps), body());
     let everything = 0..steps;
     let cuts = match limits {
-        None => Cuts::everything(&spheres, steps),
+        None => Cuts::everything(&spheres, steps, &light),
         Some(limits) => {
             let mut cuts = Cuts::default();
             let options = CutOptions {

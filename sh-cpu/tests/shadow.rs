@@ -5,8 +5,8 @@ mod common;
 use common::{Random, light_of, receiver};
 use glam::{Vec3, vec3};
 use sh_core::{Lane, Routines};
-use sh_cpu::{Blockers, Error, Outline, OutlineAll, Path, irradiance, shade, shadow, shadow_on};
-use sh_scene::{Blocker, EnvironmentMap, Light, Receiver, Sphere};
+use sh_cpu::{Cuts, Error, Outline, OutlineAll, Path, irradiance, shade, shadow, shadow_on};
+use sh_scene::{EnvironmentMap, Light, Receiver, Sphere};
 
 /// A sky that is bright towards +X and blue below, of some order.
 fn light(order: usize) -> Light {
@@ -52,17 +52,12 @@ fn in_f64(receiver: &Receiver, spheres: &[Sphere], light: &Light, accumulation: 
         f64: Outline<C> + OutlineAll,
     {
         let (p, n) = (r.position.map(f64::from), r.normal.map(f64::from));
-        let across: Vec<_> = spheres.iter().copied().map(Blocker::new).collect();
-        let front = &[];
-        let blockers = Blockers {
-            front,
-            across: &across,
-        };
+        let cuts = Cuts::everything(spheres, 1, light);
         shade::<f64, C>(
             p,
             n,
-            blockers,
-            (light, 0),
+            (&cuts, 0),
+            light,
             accumulation,
             None::<fn(usize) -> f64>,
         )

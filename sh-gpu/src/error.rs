@@ -79,6 +79,9 @@ pub enum Error {
         /// How many fit.
         capacity: u32,
     },
+    /// Lamps with a distribution, for a pass that was made without.
+    #[error("an analytic light has a distribution, but the pass was made for even ones")]
+    Distributions,
     /// A size goes over what the device was requested with.
     #[error("{what} needs {needed}, but the device's limit `{limit}` is {available}")]
     Limit {

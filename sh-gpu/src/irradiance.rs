@@ -35,23 +35,29 @@ pub struct IrradiancePass {
 }
 
 impl IrradiancePass {
-    /// Makes the pipeline for an SH order, 2 to 6, and sets room aside for analytic lights, 64 bytes each.
+    /// Makes the pipeline for an SH order, 2 to 6, and sets room aside for analytic lights, 640 bytes each.
     pub fn new(device: &Device, order: usize, max_emitters: u32) -> Result<Self, Error> {
-        Self::with(&Pipelines::new(device), order, max_emitters)
+        Self::with(&Pipelines::new(device), order, max_emitters, true)
     }
 
-    /// As [`new`](Self::new), with a pipeline that is shared.
-    pub fn with(pipelines: &Pipelines, order: usize, max_emitters: u32) -> Result<Self, Error> {
+    /// As [`new`](Self::new), with a pipeline that is shared; `distributions` says whether some of the lights may have
+    /// one.
+    pub fn with(
+        pipelines: &Pipelines,
+        order: usize,
+        max_emitters: u32,
+        distributions: bool,
+    ) -> Result<Self, Error> {
         let device = pipelines.device();
         checked(device, || {
-            let lit = Lit::new(device, order, max_emitters)?;
+            let lit = Lit::new(device, order, max_emitters, distributions)?;
             let storage = |binding, read_only| {
                 let ty = BufferBindingType::Storage { read_only };
                 buffer_entry(binding, ShaderStages::COMPUTE, ty, false)
             };
             let groups = [&Lit::layout(0)[..], &[storage(0, true), storage(1, false)]];
             let of = (Pass::Irradiance, order, order);
-            let kernel = pipelines.specialised(of, "irradiance", groups, &[lit.lamps()])?;
+            let kernel = pipelines.specialised(of, "irradiance", groups, &lit.lamps())?;
             let group = kernel.own(device, &lit.entries(0));
             Ok(Self { kernel, lit, group })
         })

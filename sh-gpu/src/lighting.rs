@@ -16,6 +16,7 @@ use wgpu::{
 pub(crate) struct Lit {
     order: usize,
     max_emitters: u32,
+    distributions: bool,
     record: Buffer,
     emitters: Buffer,
     /// What both hold.
@@ -23,7 +24,12 @@ pub(crate) struct Lit {
 }
 
 impl Lit {
-    pub fn new(device: &Device, order: usize, max_emitters: u32) -> Result<Self, Error> {
+    pub fn new(
+        device: &Device,
+        order: usize,
+        max_emitters: u32,
+        distributions: bool,
+    ) -> Result<Self, Error> {
         let record = size_of::<Lighting>() as u64;
         let emitters = room(
             device,
@@ -34,15 +40,21 @@ impl Lit {
         Ok(Self {
             order,
             max_emitters,
+            distributions,
             record: buffer(device, "gaunt lighting", record, BufferUsages::UNIFORM),
             emitters: buffer(device, "gaunt emitters", emitters, BufferUsages::STORAGE),
             known: Default::default(),
         })
     }
 
-    /// The override constant of kernels that know analytic lights: whether there may be any.
-    pub fn lamps(&self) -> (&'static str, f64) {
-        ("LAMPS", f64::from(u8::from(self.max_emitters > 0)))
+    /// The override constants of kernels that know analytic lights: whether there may be any, and any that is not even.
+    pub fn lamps(&self) -> [(&'static str, f64); 2] {
+        let any = self.max_emitters > 0;
+        let flag = |flag: bool| f64::from(u8::from(flag));
+        [
+            ("LAMPS", flag(any)),
+            ("DISTRIBUTIONS", flag(any && self.distributions)),
+        ]
     }
 
     /// Layout entries, two from `first` on.
@@ -101,6 +113,9 @@ impl Lit {
                 count: emitters,
                 capacity: self.max_emitters,
             });
+        }
+        if !self.distributions && light.emitters.iter().any(|e| e.order > 0) {
+            return Err(Error::Distributions);
         }
         let mut record = Lighting {
             nodes,

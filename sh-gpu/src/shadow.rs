@@ -27,8 +27,10 @@ pub struct ShadowOptions {
     /// The most blocker spheres [`ShadowPass::prepare`] will take; 64 bytes each are set aside, for two nodes of a
     /// tree.
     pub max_blockers: u32,
-    /// The most analytic lights; 64 bytes each are set aside.
+    /// The most analytic lights; 640 bytes each are set aside.
     pub max_emitters: u32,
+    /// Whether some of them may have a distribution.
+    pub distributions: bool,
     /// What it writes.
     pub output: Output,
 }
@@ -40,6 +42,7 @@ impl Default for ShadowOptions {
             accumulation: 4,
             max_blockers: 4096,
             max_emitters: 16,
+            distributions: true,
             output: Output::Radiance,
         }
     }
@@ -122,11 +125,12 @@ impl ShadowPass {
             accumulation,
             max_blockers,
             max_emitters,
+            distributions,
             output,
         } = options;
         checked(device, || {
             let max_nodes = max_blockers.saturating_mul(2);
-            let lit = Lit::new(device, order, max_emitters)?;
+            let lit = Lit::new(device, order, max_emitters, distributions)?;
             let room = room(device, "room for blockers", max_nodes, size_of::<Node>())?;
             let nodes = buffer(device, "gaunt blockers", room, BufferUsages::STORAGE);
             let storage = |binding, read_only| {
@@ -141,7 +145,7 @@ impl ShadowPass {
                 Output::Light => Pass::ShadowedLight,
             };
             let of = (pass, order, accumulation);
-            let kernel = pipelines.specialised(of, pass.name(), [&own, &host], &[lit.lamps()])?;
+            let kernel = pipelines.specialised(of, pass.name(), [&own, &host], &lit.lamps())?;
             let [record, emitters] = lit.entries(0);
             let blockers = BindGroupEntry {
                 binding: 2,

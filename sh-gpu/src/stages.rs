@@ -124,6 +124,7 @@ pub(crate) fn shadow_pass(
         accumulation: scene.settings.accumulation,
         max_blockers: u32::try_from(blockers).unwrap_or(u32::MAX),
         max_emitters: emitters(scene),
+        distributions: distributions(scene),
         ..ShadowOptions::default()
     };
     ShadowPass::with(pipelines, options).map(Some)
@@ -137,6 +138,11 @@ pub(crate) fn sends(plan: &Plan) -> bool {
 fn emitters(scene: &Scene) -> u32 {
     let shining = scene.lights.iter().filter(|lamp| lamp.shines());
     u32::try_from(shining.count()).unwrap_or(u32::MAX)
+}
+
+fn distributions(scene: &Scene) -> bool {
+    let mut shining = scene.lights.iter().filter(|lamp| lamp.shines());
+    shining.any(|lamp| lamp.distribution.is_some())
 }
 
 impl Setup<'_> {
@@ -174,7 +180,8 @@ impl Setup<'_> {
             }
             PassKind::Irradiance => {
                 let order = self.scene.settings.order;
-                let light = IrradiancePass::with(pipelines, order, emitters(self.scene))?;
+                let (count, uneven) = (emitters(self.scene), distributions(self.scene));
+                let light = IrradiancePass::with(pipelines, order, count, uneven)?;
                 let bound = self.each(pass, |[receivers, _, radiance]| {
                     light.bind(device, receivers, radiance)
                 })?;

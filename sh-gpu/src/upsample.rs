@@ -129,11 +129,12 @@ impl UpsamplePass {
                 pipelines.specialised(of, name, [&own, &host], constants)
             };
             let lamps = shadow.lit.lamps();
-            let shares = kernel("shares", &[lamps], &[false, true])?;
+            let [any, uneven] = lamps;
+            let shares = kernel("shares", &lamps, &[false, true])?;
             let written = [false, false, false, true, true, true, false];
             let upsample = kernel(
                 "upsample",
-                &[lamps, ("SENT", f64::from(u8::from(sent)))],
+                &[any, uneven, ("SENT", f64::from(u8::from(sent)))],
                 &written,
             )?;
             let scatter = kernel("scatter", &[], &[false, false, false, true])?;

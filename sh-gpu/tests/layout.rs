@@ -86,7 +86,9 @@ fn records_are_laid_out_alike() {
                     radius,
                     radiance,
                     local,
-                    gains
+                    gains,
+                    order,
+                    distribution
                 }
             );
         }

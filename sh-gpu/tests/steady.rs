@@ -15,7 +15,7 @@ use gpu::Gpu;
 use libtest_mimic::{Arguments, Failed, Trial};
 use scenes::{Numbers, bouncing, view};
 use sh_gpu::{Renderer, ShadowOptions, ShadowPass, records::Lighting};
-use sh_scene::{Forest, Limits, Node, Plan, Tiles};
+use sh_scene::{Emitter, Forest, Limits, Node, Plan, Tiles};
 use wgpu::{BindGroup, Buffer, CommandEncoder, ComputePipeline};
 
 /// Frames before counting begins: memory that is kept has grown to its size by then, wgpu's as well.
@@ -209,7 +209,7 @@ impl Bare {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let emitters = gpu.room(64);
+        let emitters = gpu.room(size_of::<Emitter>() as u64);
         let nodes = gpu.room(100 * size_of::<Node>() as u64);
         let runs: Vec<[u32; 2]> = (0..RECEIVERS as u32)
             .step_by(Tiles::AREA)

@@ -1,6 +1,6 @@
 //! Lights of a shape that is known: discs in the sky and glowing balls.
 
-use crate::LightError;
+use crate::{Distribution, LightError, Object};
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
@@ -32,10 +32,16 @@ pub struct AreaLight {
     pub radiance: [f32; 3],
     /// Window width h of its SH vector; none: as wide as ringing allows ([`crate::ringing::width`]).
     pub window: Option<f32>,
+    /// How bright each part of a ball is, in parts of `radiance`; none: all of it alike. A disc has none.
+    pub distribution: Option<Distribution>,
+    /// The object of the scene that a ball is bound to: centre, radius and distribution are then in its space, and move,
+    /// grow and turn with it.
+    pub object: Option<usize>,
 }
 
-/// An [`AreaLight`] as the passes read it: 64 bytes, as `struct Emitter { center: vec3f, radius: f32, radiance:
-/// vec3f, local: f32, gains: array<vec4f, 2> }` in WGSL.
+/// An [`AreaLight`] as the passes read it: 640 bytes, as `struct Emitter { center: vec3f, radius: f32, radiance:
+/// vec3f, local: f32, gains: array<f32, 6>, order: u32, distribution: array<vec4f, 36> }` in WGSL. An even one is read no
+/// farther than to its order.
 ///
 /// A receiver at p sees its middle at `center − local·p`, and its angular radius has the sine `radius` over that
 /// vector's length, at most 1: for a distant light `local` is 0, `center` a unit vector and `radius` a sine.
@@ -50,11 +56,84 @@ pub struct Emitter {
     pub radiance: [f32; 3],
     /// 1 for a local light, 0 for a distant one.
     pub local: f32,
-    /// What each band of its SH vector is multiplied with: the window. Six bands; the rest is 0.
-    pub gains: [f32; 8],
+    /// What each band of its SH vector is multiplied with: the window.
+    pub gains: [f32; 6],
+    /// The order of its distribution; 0: it is even.
+    pub order: u32,
+    /// 0.
+    pub unused: u32,
+    /// How bright each part of a ball is, in parts of the radiance: order² coefficients of red, green and blue; the rest
+    /// is 0.
+    pub distribution: [[f32; 4]; 36],
 }
 
 impl AreaLight {
+    /// An even disc at infinity, towards `direction`, of an angular radius in radians.
+    ///
+    /// ```
+    /// use glam::Vec3;
+    /// let sun = sh_scene::AreaLight::distant(Vec3::new(0.3, 1.0, 0.2), 0.05, [40.0, 36.0, 30.0]);
+    /// assert!(sun.emitter(4).is_ok());
+    /// ```
+    pub const fn distant(direction: Vec3, angle: f32, radiance: [f32; 3]) -> Self {
+        Self::of(AreaShape::Distant { direction, angle }, radiance)
+    }
+
+    /// An even ball in the scene, bound to nothing.
+    ///
+    /// ```
+    /// use glam::Vec3;
+    /// use sh_scene::{AreaLight, Distribution};
+    /// let lamp = AreaLight {
+    ///     distribution: Some(Distribution::cap(Vec3::NEG_Y, 1.0)?),
+    ///     object: Some(0),
+    ///     ..AreaLight::local(Vec3::new(0.0, 2.0, 0.0), 0.1, [40.0; 3])
+    /// };
+    /// assert_eq!(lamp.emitter(4)?.order, 4);
+    /// # Ok::<(), sh_scene::LightError>(())
+    /// ```
+    pub const fn local(center: Vec3, radius: f32, radiance: [f32; 3]) -> Self {
+        Self::of(AreaShape::Local { center, radius }, radiance)
+    }
+
+    /// An even light of a shape, bound to nothing, with the window that ringing asks for.
+    pub const fn of(shape: AreaShape, radiance: [f32; 3]) -> Self {
+        Self {
+            shape,
+            radiance,
+            window: None,
+            distribution: None,
+            object: None,
+        }
+    }
+
+    /// The light where it is in the world: as it is, or as the object has it that it is bound to.
+    ///
+    /// # Errors
+    /// Where there is no such object, or a disc at infinity is bound to one.
+    pub fn placed(&self, objects: &[Object]) -> Result<Self, LightError> {
+        let Some(index) = self.object else {
+            return Ok(*self);
+        };
+        let (Some(object), AreaShape::Local { center, radius }) = (objects.get(index), self.shape)
+        else {
+            return Err(LightError::Bound {
+                object: index,
+                objects: objects.len(),
+            });
+        };
+        let (scale, turn, _) = object.transform.to_scale_rotation_translation();
+        Ok(Self {
+            shape: AreaShape::Local {
+                center: object.transform.transform_point3(center),
+                radius: radius * scale.x,
+            },
+            distribution: self.distribution.map(|own| own.turned(turn)),
+            object: None,
+            ..*self
+        })
+    }
+
     /// Whether it sends out any light: one of no radiance is no work for anybody.
     pub fn shines(&self) -> bool {
         self.radiance.iter().any(|c| *c > 0.0)
@@ -63,8 +142,8 @@ impl AreaLight {
     /// The light as the passes of an SH order read it.
     ///
     /// # Errors
-    /// Where a number is not finite, a size is not above 0, an angle is above π/2, a radiance is negative, or a window
-    /// has no width.
+    /// Where a number is not finite, a size is not above 0, an angle is above π/2, a radiance is negative, a window
+    /// has no width, or a disc has a distribution. One that is bound has to be [placed](Self::placed) before.
     pub fn emitter(&self, order: usize) -> Result<Emitter, LightError> {
         if self.radiance.iter().any(|c| !c.is_finite() || *c < 0.0) {
             return Err(LightError::Radiance(self.radiance));
@@ -75,6 +154,9 @@ impl AreaLight {
                     return Err(LightError::Angle(angle));
                 }
                 let unit = direction.try_normalize().ok_or(LightError::Direction)?;
+                if self.distribution.is_some() {
+                    return Err(LightError::Distribution);
+                }
                 (unit, angle.sin(), 0.0)
             }
             AreaShape::Local { center, radius } => {
@@ -89,9 +171,16 @@ impl AreaLight {
             Some(width) => width,
             None => crate::ringing::of_small_light(order),
         };
-        let mut gains = [0.0; 8];
+        let mut gains = [0.0; 6];
         for (l, gain) in gains.iter_mut().enumerate().take(order) {
             *gain = crate::ringing::gain(l, width);
+        }
+        let mut distribution = [[0.0; 4]; 36];
+        if let Some(own) = &self.distribution {
+            let count = order * order;
+            for (out, [r, g, b]) in distribution.iter_mut().zip(own.coefficients()).take(count) {
+                *out = [*r, *g, *b, 0.0];
+            }
         }
         Ok(Emitter {
             center: center.into(),
@@ -99,6 +188,9 @@ impl AreaLight {
             radiance: self.radiance,
             local,
             gains,
+            order: self.distribution.map_or(0, |_| order as u32),
+            unused: 0,
+            distribution,
         })
     }
 }

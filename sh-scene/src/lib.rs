@@ -16,6 +16,7 @@
 mod blockers;
 mod camera;
 mod clusters;
+mod distribution;
 mod emitter;
 mod environment;
 mod indirect;
@@ -37,6 +38,7 @@ pub mod upsample;
 pub use blockers::{Blocker, Bounds, Forest, Limits, NEGLIGIBLE, Node, Side};
 pub use camera::{Camera, Grid, Tiles, View};
 pub use clusters::Clusters;
+pub use distribution::Distribution;
 pub use emitter::{AreaLight, AreaShape, Emitter};
 pub use environment::EnvironmentMap;
 pub use indirect::{Blocking, Indirect};

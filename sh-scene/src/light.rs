@@ -39,6 +39,24 @@ pub enum LightError {
     /// A local light that is no ball.
     #[error("a light's centre and radius have to be finite, and its radius above 0")]
     Ball,
+    /// A distribution that is none, or that a distant light has.
+    #[error(
+        "a light's distribution has to be 1, 4, 9, 16, 25 or 36 finite SH coefficients, and only a ball has one"
+    )]
+    Distribution,
+    /// The part of a ball that glows is none.
+    #[error("the glowing part of a light spreads over {} degrees, but it has to be above 0 and at most 180", .0.to_degrees())]
+    Spread(f32),
+    /// A light that is bound to what is not there, or that is at infinity.
+    #[error(
+        "a light is bound to object {object} of {objects}, counted from 0, but it has to be a ball and an object that there is"
+    )]
+    Bound {
+        /// Which object it names.
+        object: usize,
+        /// How many there are.
+        objects: usize,
+    },
 }
 
 impl Light {

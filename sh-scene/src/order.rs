@@ -52,10 +52,84 @@ pub fn swap_width(a: f32, b: f32, apart: f32) -> f32 {
 /// assert_eq!(share_of([&near, &near], Vec3::ZERO), 0.5);
 /// ```
 pub fn share_of([hidden, hider]: [&Ball; 2], from: Vec3) -> f32 {
-    let power = |ball: &Ball| ball.center.distance_squared(from) - ball.radius * ball.radius;
     let apart = hidden.center.distance(hider.center);
     let width = swap_width(hidden.radius, hider.radius, apart);
     let slope = 1.0 / (4.0 * width * apart).max(f32::MIN_POSITIVE);
-    let lead = power(hidden) - power(hider);
+    let lead = power(hidden, from) - power(hider, from);
     (0.5 + lead * slope.min(f32::MAX)).clamp(0.0, 1.0)
+}
+
+/// Lamps of a light that are hidden only by what is before them; any further one is hidden by all that is in its
+/// direction.
+pub const LAMPS: usize = 32;
+
+/// How a lamp and a blocker stand to each other, wherever they are seen from.
+///
+/// A blocker hides a lamp that it is nearer than, and not one that is nearer. Here it does so less and less while the
+/// receiver moves from one to the other past the plane of equal power, since visibility of a finite order has the
+/// blocker's shadow beside it as well, and would jump if it went all at once. A lamp within a blocker shines through it.
+///
+/// ```
+/// use sh_scene::order::{Ball, Pair};
+/// use glam::Vec3;
+/// let lamp = Ball { center: Vec3::Y * 3.0, radius: 0.1 };
+/// let at = |y: f32| Ball { center: Vec3::Y * y, radius: 0.5 };
+/// assert_eq!(Pair::of(&lamp, &at(1.0)).hides(&lamp, &at(1.0), Vec3::ZERO), 1.0);
+/// assert_eq!(Pair::of(&lamp, &at(5.0)).hides(&lamp, &at(5.0), Vec3::ZERO), 0.0);
+/// assert_eq!(Pair::of(&lamp, &at(3.2)).hides(&lamp, &at(3.2), Vec3::ZERO), 0.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair {
+    /// The most that the blocker hides of what it covers: 1, less where it holds a part of the lamp, 0 where all of it.
+    pub most: f32,
+    /// Of that, the share ½ + slope · (power of the lamp − power of the blocker) is hidden, at least 0 and at most all.
+    pub slope: f32,
+    /// The difference of powers, at the middle of a cluster and less its slack over the cluster's radius, from which on
+    /// the blocker hides all that it covers.
+    settled: f32,
+    /// Twice the distance of both centres: how fast the difference of powers changes.
+    twice: f32,
+}
+
+impl Pair {
+    /// That of a lamp and a blocker.
+    pub fn of(lamp: &Ball, blocker: &Ball) -> Self {
+        let apart = lamp.center.distance(blocker.center);
+        let out = apart - blocker.radius + lamp.radius;
+        let twice = 2.0 * apart;
+        // From the lamp to the plane of equal power: whoever is behind the lamp, or behind the blocker, has it settled.
+        let radii = lamp.radius * lamp.radius - blocker.radius * blocker.radius;
+        let ahead = 0.5 * (apart + radii / apart.max(f32::MIN_POSITIVE));
+        let gradual = ahead.min(apart - ahead);
+        let width = swap_width(lamp.radius, blocker.radius, apart).max(gradual);
+        Self {
+            most: (out / (2.0 * lamp.radius)).clamp(0.0, 1.0),
+            slope: 1.0 / (2.0 * width * twice).max(f32::MIN_POSITIVE),
+            settled: twice * width,
+            twice,
+        }
+    }
+
+    /// How much of what the blocker covers of the lamp it hides from a place.
+    pub fn hides(&self, lamp: &Ball, blocker: &Ball, from: Vec3) -> f32 {
+        let lead = power(lamp, from) - power(blocker, from);
+        self.most * (0.5 + lead * self.slope.min(f32::MAX)).clamp(0.0, 1.0)
+    }
+
+    /// Whether the blocker hides all that it covers from every place of a cluster.
+    pub fn is_settled(&self, lamp: &Ball, blocker: &Ball, middle: Vec3, radius: f32) -> bool {
+        let lead = power(lamp, middle) - power(blocker, middle);
+        self.most >= 1.0 && lead >= self.settled + self.twice * radius
+    }
+}
+
+/// Whether a lamp lies wholly outside of a blocker.
+pub fn is_clear(lamp: &Ball, blocker: &Ball) -> bool {
+    let reach = lamp.radius + blocker.radius;
+    lamp.center.distance_squared(blocker.center) >= reach * reach
+}
+
+/// The power of a point against a sphere: the square of a tangent's length.
+fn power(ball: &Ball, from: Vec3) -> f32 {
+    ball.center.distance_squared(from) - ball.radius * ball.radius
 }

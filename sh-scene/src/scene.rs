@@ -178,7 +178,17 @@ impl Scene {
     /// # Errors
     /// Where the settings' order or window is none that there is, or a light is none.
     pub fn light(&self) -> Result<Light, LightError> {
-        self.environment_light()?.with_lights(&self.lights)
+        self.environment_light()?
+            .with_lights(&self.placed_lights()?)
+    }
+
+    /// The analytic lights where they are in the world.
+    ///
+    /// # Errors
+    /// Where one is bound to what is not there.
+    pub fn placed_lights(&self) -> Result<Vec<AreaLight>, LightError> {
+        let placed = self.lights.iter().map(|light| light.placed(&self.objects));
+        placed.collect()
     }
 
     /// The light of the environment alone.

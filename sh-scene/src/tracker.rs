@@ -39,7 +39,7 @@ pub struct Tracker {
     spheres: Vec<Sphere>,
     forest: Forest,
     sky: Option<Sky>,
-    /// With the emitter that was made of each, for the order of `sky`.
+    /// Where they are in the world, with the emitter that was made of each, for the order of `sky`.
     lamps: Vec<(AreaLight, Emitter)>,
     light: Option<Light>,
     /// Fingerprints of the objects' surface points.
@@ -238,11 +238,14 @@ impl Tracker {
         self.changes.light |= self.lamps.len() != scene.lights.len();
         self.lamps.truncate(scene.lights.len());
         for (i, lamp) in scene.lights.iter().enumerate() {
-            if self.lamps.get(i).is_some_and(|(known, _)| known == lamp) {
+            let placed = lamp.placed(&scene.objects);
+            let is_known = |(known, _): &(AreaLight, Emitter)| placed.as_ref() == Ok(known);
+            if self.lamps.get(i).is_some_and(is_known) {
                 continue;
             }
-            let made = match lamp.emitter(light.order) {
-                Ok(emitter) => (*lamp, emitter),
+            let made = placed.and_then(|lamp| Ok((lamp, lamp.emitter(light.order)?)));
+            let made = match made {
+                Ok(made) => made,
                 Err(error) => {
                     // The next time it is looked at anew.
                     self.lamps.truncate(i);
@@ -290,7 +293,7 @@ pub fn fingerprint(numbers: &[u32]) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{AreaShape, Camera, Material, Mesh, Settings};
+    use crate::{Camera, Distribution, Material, Mesh, Settings};
     use glam::Vec3;
 
     fn scene() -> Scene {
@@ -310,14 +313,7 @@ mod tests {
                 .collect(),
             surface: Default::default(),
         };
-        let lamp = |radiance| AreaLight {
-            shape: AreaShape::Local {
-                center: Vec3::Y,
-                radius: 0.1,
-            },
-            radiance,
-            window: None,
-        };
+        let lamp = |radiance| AreaLight::local(Vec3::Y, 0.1, radiance);
         Scene {
             objects: vec![object(0.0, 40), object(3.0, 20), object(6.0, 0)],
             environment: crate::Sky::default().map(32, 16),
@@ -385,6 +381,21 @@ mod tests {
 
         scene.lights.pop();
         assert!(check(&mut tracker, &scene).light);
+
+        // A lamp that is bound to an object goes with it, and stays where it is while the object does.
+        scene.lights[0].object = Some(1);
+        scene.lights[0].distribution = Distribution::cap(Vec3::X, 1.0).ok();
+        assert_eq!(check(&mut tracker, &scene).lamps, 1);
+        assert!(check(&mut tracker, &scene).none());
+        scene.objects[1].transform *= Affine3A::from_rotation_y(1.0);
+        let carried = check(&mut tracker, &scene);
+        assert_eq!((carried.lamps, carried.objects), (1, 1));
+        scene.objects[0].transform.translation.y += 1.0;
+        assert!(!check(&mut tracker, &scene).light);
+        scene.lights[0].object = Some(3);
+        assert!(tracker.update(&scene).is_err());
+        scene.lights[0].object = None;
+
         scene.objects.pop();
         assert!(check(&mut tracker, &scene).rebuilt);
         assert!(check(&mut tracker, &scene).none());

@@ -8,8 +8,9 @@ use sh_codegen::routines::{ORDERS, ROUTINES, Routine, Shape};
 use sh_tests::accuracy::{Number, Table, error};
 use sh_tests::promises::{Poison, enlarge, promised};
 use sh_tests::{case, truth::truth};
-use std::sync::Arc;
-use wgpu::BufferUsages;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex};
+use wgpu::{BufferUsages, ComputePipeline};
 
 const CASES: usize = 60;
 
@@ -60,26 +61,46 @@ fn shader(routine: &Routine, order: usize) -> String {
     )
 }
 
-/// Runs the routine on all cases, one invocation each.
-fn run(gpu: &Gpu, routine: &Routine, order: usize, arguments: &[f32]) -> Vec<f32> {
-    let count = arguments.len() / stride(routine, order);
-    let size = (count * routine.result.len(order) * 4) as u64;
-    let module = gpu
-        .device
-        .create_shader_module(wgpu::ShaderModuleDescriptor {
+/// A device, and a pipeline for each routine and order that was run: compiling one takes longer than all else.
+struct Bench {
+    gpu: Gpu,
+    pipelines: Mutex<HashMap<(&'static str, usize), ComputePipeline>>,
+}
+
+impl Bench {
+    fn pipeline(&self, routine: &Routine, order: usize) -> ComputePipeline {
+        let key = (routine.name, order);
+        let known = self.pipelines.lock().unwrap().get(&key).cloned();
+        known.unwrap_or_else(|| {
+            let pipeline = self.compile(routine, order);
+            let mut pipelines = self.pipelines.lock().unwrap();
+            pipelines.insert(key, pipeline.clone());
+            pipeline
+        })
+    }
+
+    fn compile(&self, routine: &Routine, order: usize) -> ComputePipeline {
+        let device = &self.gpu.device;
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(routine.name),
             source: wgpu::ShaderSource::Wgsl(shader(routine, order).into()),
         });
-    let pipeline = gpu
-        .device
-        .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: Some(routine.name),
             layout: None,
             module: &module,
             entry_point: None,
             compilation_options: Default::default(),
             cache: None,
-        });
+        })
+    }
+}
+
+/// Runs the routine on all cases, one invocation each.
+fn run(bench: &Bench, routine: &Routine, order: usize, arguments: &[f32]) -> Vec<f32> {
+    let count = arguments.len() / stride(routine, order);
+    let size = (count * routine.result.len(order) * 4) as u64;
+    let (gpu, pipeline) = (&bench.gpu, bench.pipeline(routine, order));
     let buffer = |size, usage| {
         gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
@@ -121,7 +142,7 @@ fn run(gpu: &Gpu, routine: &Routine, order: usize, arguments: &[f32]) -> Vec<f32
 }
 
 /// All orders of one routine within what `accuracy.toml` permits.
-fn check(gpu: &Gpu, routine: &Routine) -> Result<(), Failed> {
+fn check(bench: &Bench, routine: &Routine) -> Result<(), Failed> {
     let table = Table::load();
     let permitted = table.permitted(routine.name, Number::Gpu);
     let mut worst = 0.0_f64;
@@ -141,7 +162,7 @@ fn check(gpu: &Gpu, routine: &Routine) -> Result<(), Failed> {
             .flatten()
             .map(|x| *x as f32)
             .collect();
-        let got = run(gpu, routine, order, &flat);
+        let got = run(bench, routine, order, &flat);
         for (arguments, got) in cases.iter().zip(got.chunks(routine.result.len(order))) {
             let want = truth(routine.name, order, arguments).expect("every routine has a truth");
             let got: Vec<f64> = got.iter().map(|x| f64::from(*x)).collect();
@@ -162,7 +183,7 @@ fn check(gpu: &Gpu, routine: &Routine) -> Result<(), Failed> {
 
 /// Vectors of zeros and denormals, and as large as the routine promises to take them: finite, and as accurate as
 /// at any size, or within the routine's bound.
-fn check_extremes(gpu: &Gpu, routine: &Routine) -> Result<(), Failed> {
+fn check_extremes(bench: &Bench, routine: &Routine) -> Result<(), Failed> {
     let permitted = Table::load().permitted(routine.name, Number::Gpu);
     for order in ORDERS {
         let mut random = case::Random::new(31);
@@ -184,7 +205,7 @@ fn check_extremes(gpu: &Gpu, routine: &Routine) -> Result<(), Failed> {
             cases.push(arguments);
         }
         let flat: Vec<f32> = cases.iter().flatten().flatten().copied().collect();
-        let got = run(gpu, routine, order, &flat);
+        let got = run(bench, routine, order, &flat);
         for (arguments, got) in cases.iter().zip(got.chunks(routine.result.len(order))) {
             let wide: Vec<Vec<f64>> = arguments
                 .iter()
@@ -214,20 +235,23 @@ fn check_extremes(gpu: &Gpu, routine: &Routine) -> Result<(), Failed> {
 }
 
 fn main() {
-    let mut arguments = Arguments::from_args();
-    arguments.test_threads = Some(1);
+    let arguments = Arguments::from_args();
     let required = std::env::var_os("GAUNT_REQUIRE_GPU").is_some_and(|value| value != "0");
-    let gpu = Gpu::open().map(Arc::new).map_err(|error| error.to_string());
-    type Check = fn(&Gpu, &Routine) -> Result<(), Failed>;
+    let bench = |gpu| {
+        let pipelines = Mutex::default();
+        Arc::new(Bench { gpu, pipelines })
+    };
+    let bench = Gpu::open().map(bench).map_err(|error| error.to_string());
+    type Check = fn(&Bench, &Routine) -> Result<(), Failed>;
     let checks: [(&str, Check); 2] = [("", check), ("hard_cases::", check_extremes)];
     let trials = checks.iter().flat_map(|&(prefix, check)| {
-        let gpu = gpu.clone();
+        let bench = bench.clone();
         ROUTINES.iter().map(move |routine| {
-            let gpu = gpu.clone();
-            let missing = gpu.is_err();
+            let bench = bench.clone();
+            let missing = bench.is_err();
             Trial::test(format!("{prefix}{}", routine.name), move || {
-                let gpu = gpu?;
-                check(&gpu, routine)
+                let bench = bench?;
+                check(&bench, routine)
             })
             .with_ignored_flag(missing && !required)
         })

@@ -62,7 +62,7 @@ pub fn inner(path: Path) -> Result<Inner, Error> {
     let mut radiance = vec![[0.0; 3]; receivers.len()];
     let cuts = |count: usize, cut: bool| {
         if cut {
-            return Cuts::everything(&across[..count], receivers.len());
+            return Cuts::everything(&across[..count], receivers.len(), &light);
         }
         let balls = &above[..count];
         let mut cuts = Cuts::default();

@@ -124,13 +124,9 @@ impl World {
         let spheres: Vec<Sphere> = rest.iter().map(|s| placed_sphere(s, &poses)).collect();
         let sky = Light::project_smoothly(&Sky::default().map(256, 128), None, ORDER)?;
         let lamp = |lamp: &Lamp| AreaLight {
-            shape: AreaShape::Local {
-                center: Vec3::new(0.0, 4.0, 0.0),
-                radius: lamp.radius,
-            },
-            radiance: lamp.radiance,
             // The width is looked for once, not every frame.
             window: Some(ringing::of_small_light(ORDER)),
+            ..AreaLight::local(Vec3::new(0.0, 4.0, 0.0), lamp.radius, lamp.radiance)
         };
         let mut world = Self {
             radiance: vec![[0.0; 3]; receivers.len()],
@@ -271,6 +267,8 @@ impl World {
         };
         cuts.bound(receivers, clusters, which);
         cuts.find(path, &self.forest, options);
+        cuts.dim(&self.light);
+        cuts.part(&self.light, &self.forest);
     }
 
     /// Shades every receiver.

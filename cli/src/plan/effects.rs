@@ -7,7 +7,7 @@ use crate::render::Choice;
 use glam::Vec3;
 use serde::Serialize;
 use sh_bake::{Loaded, bake_surface};
-use sh_scene::{AreaLight, AreaShape, Indirect, Limits, Plan, Scene};
+use sh_scene::{AreaLight, Indirect, Limits, Plan, Scene};
 use std::fmt::Write;
 
 /// A row of the table.
@@ -114,12 +114,9 @@ pub(super) fn table(
 fn lamp(scene: &Scene) -> AreaLight {
     let [low, high] = scene.bounds().unwrap_or([Vec3::ZERO; 2]);
     let size = (high - low).length().max(1e-3);
-    AreaLight {
-        shape: AreaShape::Local {
-            center: (low + high) * 0.5 + Vec3::Y * size * 0.6,
-            radius: size * 0.05,
-        },
-        radiance: [60.0, 45.0, 25.0],
-        window: None,
-    }
+    AreaLight::local(
+        (low + high) * 0.5 + Vec3::Y * size * 0.6,
+        size * 0.05,
+        [60.0, 45.0, 25.0],
+    )
 }

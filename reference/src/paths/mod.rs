@@ -95,7 +95,9 @@ impl<'a> PathTracer<'a> {
     /// If an index of a mesh is out of range, or a map or texture has not the pixels that it says.
     pub fn new(scene: &'a Scene, options: Options) -> Result<Self, LightError> {
         let light = scene.light()?;
-        let lamps = light.emitters.iter();
+        let placed = scene.placed_lights()?;
+        let shining = placed.iter().filter(|lamp| lamp.shines());
+        let lamps = shining.zip(&light.emitters);
         Ok(Self {
             options,
             surfaces: Surfaces::new(scene),
@@ -103,7 +105,13 @@ impl<'a> PathTracer<'a> {
                 Source::Map => Sky::Map(MapSky::new(&scene.environment, scene.ground)),
                 Source::Projected => Sky::projected(&light),
             },
-            lamps: lamps.map(|e| Lamp::new(e, light.order)).collect(),
+            lamps: lamps
+                .map(|(lamp, emitter)| {
+                    let whole = lamp.distribution.as_ref();
+                    let whole = whole.filter(|_| options.light == Source::Map);
+                    Lamp::new(emitter, light.order, whole)
+                })
+                .collect(),
         })
     }
 
@@ -186,7 +194,7 @@ impl<'a> PathTracer<'a> {
                         .surfaces
                         .blocked(place.start, sample.direction, sample.distance)
                 {
-                    add(lamp.radiance, cosine / (PI * sample.density));
+                    add(sample.radiance, cosine / (PI * sample.density));
                 }
             }
         }
@@ -232,7 +240,7 @@ impl<'a> PathTracer<'a> {
         for lamp in &self.lamps {
             let lobe = lamp.lobe(place.start);
             if limit >= lobe.distance {
-                sum = add(sum, scale(lamp.radiance, lobe.value(direction)));
+                sum = add(sum, scale(lobe.radiance, lobe.value(direction)));
             }
         }
         sum

@@ -63,11 +63,7 @@ fn ground(albedo: f32) -> Option<Ground> {
 }
 
 fn lamp(shape: AreaShape, radiance: [f32; 3]) -> AreaLight {
-    AreaLight {
-        shape,
-        radiance,
-        window: None,
-    }
+    AreaLight::of(shape, radiance)
 }
 
 /// A regular polygon of so many corners about the origin, in the plane of x and z, without normals.

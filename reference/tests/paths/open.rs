@@ -2,10 +2,13 @@
 
 use super::{DOWN, UP, assert_near, bounces, dark, even, ground, lamp, projected, scene, trace};
 use glam::Vec3;
-use sh_reference::cap;
+use sh_reference::basis::basis;
 use sh_reference::paths::Options;
+use sh_reference::quadrature::Rule;
 use sh_reference::zonal::{cosine, rotated};
-use sh_scene::{AreaShape, Sky};
+use sh_reference::{ball, cap};
+use sh_scene::{AreaLight, AreaShape, Distribution, Sky};
+use std::f64::consts::PI;
 
 const TILTED: [f64; 3] = [0.6, 0.64, -0.48];
 
@@ -187,4 +190,66 @@ fn nothing_shines_through_the_ground() {
     }
     sky.ground = None;
     assert!(trace(&sky, bounces(0), [0.0, 1.0, 0.0], DOWN).direct[0] > 1.0);
+}
+
+/// A ball that glows on one side, asked ray by ray over its disc: the tracer finds the same, and so does a projected lamp
+/// whose mean radiance counts over the whole of its disc.
+#[test]
+fn a_ball_light_with_a_bright_side() {
+    let (center, radius) = (Vec3::new(0.6, 1.5, -0.2), 0.8_f32);
+    let coefficients: Vec<[f32; 3]> = (0..16)
+        .map(|i| {
+            let l = (i as f32).sqrt().floor();
+            let at = |k: f32| (1.7 * i as f32 + k).sin() * 0.2 / (l + 1.0);
+            [at(0.0), at(1.0), at(2.0)].map(|c| if i == 0 { 3.0 + c } else { c })
+        })
+        .collect();
+    let distribution = Distribution::new(&coefficients).expect("order 4");
+    let mut room = dark();
+    room.lights = vec![AreaLight {
+        distribution: Some(distribution),
+        ..AreaLight::local(center, radius, [2.0, 1.0, 0.5])
+    }];
+    // Where rays start is 1e-8 m above the plane.
+    let point = [0.0; 3];
+    let towards = [center.x, center.y, center.z].map(f64::from);
+    let far = towards.iter().map(|t| t * t).sum::<f64>().sqrt();
+    let (axis, sine) = (towards.map(|t| t / far), f64::from(radius) / far);
+    let rule = Rule::zone(axis, (1.0 - sine * sine).sqrt(), 1.0, 300);
+    let mut expected = [0.0; 3];
+    for (ray, weight) in rule.nodes() {
+        let along: f64 = (0..3).map(|k| ray[k] * towards[k]).sum();
+        let near = along
+            - (along * along - far * far + f64::from(radius).powi(2))
+                .max(0.0)
+                .sqrt();
+        let surface = [0, 1, 2].map(|k| (near * ray[k] - towards[k]) / f64::from(radius));
+        let basis = basis(4, surface);
+        for c in 0..3 {
+            let shown: f64 = (0..16)
+                .map(|i| basis[i] * f64::from(coefficients[i][c]))
+                .sum();
+            let radiance = f64::from([2.0, 1.0, 0.5][c]) * shown;
+            expected[c] += weight * radiance * ray[1].max(0.0) / PI;
+        }
+    }
+    let seen = trace(&room, bounces(0), point, UP);
+    assert_near(seen.direct, seen.direct_error, expected, 1e-6, 1e-2);
+    // What a projected lamp has is one radiance for all of its disc: the mean.
+    let mut even = room.clone();
+    let light = room.lights[0];
+    let average = ball::means(4, sine);
+    let weights = basis(4, axis.map(|a| -a));
+    let mean = [0, 1, 2].map(|c| {
+        let terms =
+            (0..16).map(|i: usize| average[i.isqrt()] * weights[i] * f64::from(coefficients[i][c]));
+        (terms.sum::<f64>() * f64::from(light.radiance[c])) as f32
+    });
+    even.lights = vec![AreaLight::local(center, radius, mean)];
+    let seen = trace(&room, projected(), point, UP);
+    let same = trace(&even, projected(), point, UP);
+    for c in 0..3 {
+        let (a, b) = (seen.direct[c], same.direct[c]);
+        assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
+    }
 }

@@ -45,6 +45,7 @@ impl Shadows<'_> {
             cuts.bound(receivers, clusters, 0..clusters.len());
             cuts.find(Path::best(), forest, options);
             cuts.dim(self.light);
+            cuts.part(self.light, forest);
         });
         self.pairs += cuts.pairs();
         self.shadowed += cuts.receivers();

@@ -59,6 +59,7 @@ fn both(gpu: &Gpu, receivers: &[Receiver], spheres: &[Sphere], light: &Light) ->
             accumulation: order,
             max_blockers: 40,
             max_emitters: 2,
+            distributions: true,
             output,
         };
         let pass = ShadowPass::new(&gpu.device, options).unwrap();
@@ -444,6 +445,7 @@ pub fn parts_leave_no_seam(gpu: &Gpu) {
         accumulation: 3,
         max_blockers: 30,
         max_emitters: 1,
+        distributions: true,
         output: Output::Light,
     };
     let pass = ShadowPass::new(&small.device, options).unwrap();

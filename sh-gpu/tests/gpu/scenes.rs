@@ -3,7 +3,7 @@
 use glam::{Affine3A, Quat, Vec3};
 use sh_scene::surface::{SurfacePoint, SurfaceSamples, directions};
 use sh_scene::{
-    AreaLight, AreaShape, Blocking, Camera, EnvironmentMap, Ground, Indirect, Light, Limits,
+    AreaLight, Blocking, Camera, Distribution, EnvironmentMap, Ground, Indirect, Light, Limits,
     Material, Mesh, Object, Receiver, Scene, Settings, Sphere, View,
 };
 
@@ -161,21 +161,11 @@ pub fn ball(radius: f32, rings: u32) -> Mesh {
 /// Two analytic lights: one in the sky, one near by.
 pub fn lamps() -> Vec<AreaLight> {
     vec![
+        AreaLight::distant(Vec3::new(1.0, 2.0, 0.7), 0.3, [9.0, 7.0, 4.0]),
         AreaLight {
-            shape: AreaShape::Distant {
-                direction: Vec3::new(1.0, 2.0, 0.7),
-                angle: 0.3,
-            },
-            radiance: [9.0, 7.0, 4.0],
-            window: None,
-        },
-        AreaLight {
-            shape: AreaShape::Local {
-                center: Vec3::new(-2.0, 1.5, 1.0),
-                radius: 0.4,
-            },
-            radiance: [1.0, 2.0, 8.0],
             window: Some(6.0),
+            distribution: Distribution::cap(Vec3::new(0.5, -1.0, 0.2), 1.5).ok(),
+            ..AreaLight::local(Vec3::new(-2.0, 1.5, 1.0), 0.4, [1.0, 2.0, 8.0])
         },
     ]
 }

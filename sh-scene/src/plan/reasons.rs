@@ -11,6 +11,8 @@ pub(super) struct Called<'a> {
     pub blockers: usize,
     /// Lamps that shine.
     pub lamps: usize,
+    /// Those of them that have a distribution.
+    pub uneven: usize,
     /// Bodies with a triangle.
     pub drawn: usize,
     /// Whether blockers cast shadows.
@@ -31,12 +33,14 @@ impl<'a> Called<'a> {
             Ok(both) => (Some(both), ""),
             Err(none) => (None, none),
         };
+        let shining = || scene.lights.iter().filter(|lamp| lamp.shines());
         let triangles = |o: &&Object| !o.mesh.triangles.is_empty();
         Self {
             scene,
             settings,
             blockers,
-            lamps: scene.lights.iter().filter(|lamp| lamp.shines()).count(),
+            lamps: shining().count(),
+            uneven: shining().filter(|lamp| lamp.distribution.is_some()).count(),
             drawn: scene.objects.iter().filter(triangles).count(),
             shadows,
             half: shadows && settings.half_resolution,
@@ -47,11 +51,12 @@ impl<'a> Called<'a> {
 
     fn light(&self) -> String {
         let order = self.settings.order;
-        match self.lamps {
-            0 => format!("Environment light of order {order}"),
-            n => format!(
-                "Environment light of order {order} and that of {}",
-                counted(n, "lamp", "lamps")
+        let lamps = counted(self.lamps, "lamp", "lamps");
+        match [self.lamps, self.uneven] {
+            [0, _] => format!("Environment light of order {order}"),
+            [_, 0] => format!("Environment light of order {order} and that of {lamps}"),
+            [_, n] => format!(
+                "Environment light of order {order} and that of {lamps}, {n} with a distribution of its own,"
             ),
         }
     }

@@ -55,7 +55,10 @@ impl fmt::Display for Shader {
 
 /// The pipelines that passes need, each once, in the order of their first use.
 pub(super) fn of(passes: &[Pass], called: &Called) -> Vec<Shader> {
-    let lamps = ("LAMPS", called.lamps > 0);
+    let lamps = [
+        ("LAMPS", called.lamps > 0),
+        ("DISTRIBUTIONS", called.uneven > 0),
+    ];
     let mut all: Vec<Shader> = Vec::new();
     for pass in passes {
         let mut add = |kind, entry, constants: &[(&'static str, bool)]| {
@@ -75,10 +78,10 @@ pub(super) fn of(passes: &[Pass], called: &Called) -> Vec<Shader> {
                 }
                 add(kind, "pack", &[]);
             }
-            PassKind::Irradiance => add(kind, "irradiance", &[lamps]),
-            PassKind::Shadow => add(kind, "shadow", &[lamps]),
+            PassKind::Irradiance => add(kind, "irradiance", &lamps),
+            PassKind::Shadow => add(kind, "shadow", &lamps),
             PassKind::LightUpdate => {
-                add(PassKind::Shadow, "shadow", &[lamps]);
+                add(PassKind::Shadow, "shadow", &lamps);
                 for entry in ["place", "project", "raise"] {
                     add(kind, entry, &[]);
                 }
@@ -95,9 +98,9 @@ pub(super) fn of(passes: &[Pass], called: &Called) -> Vec<Shader> {
             }
             PassKind::Upsample => {
                 let sent = ("SENT", called.bounce.is_some());
-                add(PassKind::Shadow, "shadow", &[lamps]);
-                add(kind, "shares", &[lamps]);
-                add(kind, "upsample", &[lamps, sent]);
+                add(PassKind::Shadow, "shadow", &lamps);
+                add(kind, "shares", &lamps);
+                add(kind, "upsample", &[lamps[0], lamps[1], sent]);
                 add(kind, "scatter", &[]);
             }
             PassKind::Resolve => add(kind, "resolve", &[]),

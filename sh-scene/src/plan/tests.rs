@@ -1,7 +1,7 @@
 use super::*;
 use crate::surface::SurfacePoint;
 use crate::{
-    AreaLight, AreaShape, Camera, EnvironmentMap, Ground, Indirect, Material, Mesh, Object,
+    AreaLight, Camera, Distribution, EnvironmentMap, Ground, Indirect, Material, Mesh, Object,
     Settings, Sphere,
 };
 use glam::{Affine3A, Vec3};
@@ -150,14 +150,7 @@ fn a_higher_order_of_accumulation_is_told() {
 #[test]
 fn what_an_effect_adds_goes_with_it() {
     type Effect = (&'static str, fn(&mut Scene), fn(&mut Scene));
-    let lamp = AreaLight {
-        shape: AreaShape::Distant {
-            direction: Vec3::Y,
-            angle: 0.1,
-        },
-        radiance: [1.0; 3],
-        window: None,
-    };
+    let lamp = AreaLight::distant(Vec3::Y, 0.1, [1.0; 3]);
     let mut plain = scene(8, true);
     plain.settings.half_resolution = false;
     for _ in 0..8 {
@@ -208,6 +201,30 @@ fn what_an_effect_adds_goes_with_it() {
     }
 }
 
+/// Shaders know of distributions where a lamp that shines has one, and the reason tells.
+#[test]
+fn distributions_are_in_the_plan_of_lamps_that_have_one() {
+    let mut scene = scene(8, true);
+    scene.lights = vec![AreaLight::local(Vec3::Y * 3.0, 0.1, [1.0; 3]); 2];
+    let even = Plan::new(&scene);
+    scene.lights[1].distribution = Distribution::cap(Vec3::X, 1.0).ok();
+    let uneven = Plan::new(&scene);
+    let knows = |plan: &Plan| {
+        let mut constants = plan.shaders.iter().flat_map(|s| &s.constants);
+        constants.any(|constant| *constant == ("DISTRIBUTIONS", true))
+    };
+    assert!(!knows(&even) && knows(&uneven));
+    assert!(!even.to_string().contains("distribution"));
+    assert!(
+        uneven
+            .to_string()
+            .contains("2 lamps, 1 with a distribution"),
+        "{uneven}"
+    );
+    scene.lights[1].radiance = [0.0; 3];
+    assert!(!knows(&Plan::new(&scene)));
+}
+
 #[test]
 fn what_is_left_out_is_told_in_sentences() {
     let mut bare = scene(0, true);
@@ -253,11 +270,13 @@ fn shaders_are_those_of_the_passes() {
     }
     let text: Vec<_> = plan.shaders.iter().map(Shader::to_string).collect();
     assert!(
-        text.contains(&"shadow, order 4, without LAMPS".to_string()),
+        text.contains(&"shadow, order 4, without LAMPS, without DISTRIBUTIONS".to_string()),
         "{text:?}"
     );
     assert!(
-        text.contains(&"upsample, order 4, without LAMPS, with SENT".to_string()),
+        text.contains(
+            &"upsample, order 4, without LAMPS, without DISTRIBUTIONS, with SENT".to_string()
+        ),
         "{text:?}"
     );
 }
