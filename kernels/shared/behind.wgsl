@@ -57,7 +57,7 @@ fn leaves_lamp(lamp: u32, at: u32, bounds: vec4f) -> bool {
     let node = nodes[at];
     let pair = lamp_pair(lamp, node.center, node.radius);
     let lead = lamp_lead(lamp, node.center, node.radius, bounds.xyz);
-    if (pair.most >= 1.0 && lead >= pair.settled + pair.twice * bounds.w) {
+    if (node.radius <= 0.0 || (pair.most >= 1.0 && lead >= pair.settled + pair.twice * bounds.w)) {
         return true;
     }
     let to = emitters[lamp].center - bounds.xyz;

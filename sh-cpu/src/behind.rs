@@ -168,7 +168,7 @@ impl Behind {
     ) {
         let own = ball_of(&blocker);
         let settled = Pair::of(lamp, &own).is_settled(lamp, &own, bounds.center, bounds.radius);
-        if settled || is_aside(lamp, &own, bounds) {
+        if settled || own.radius <= 0.0 || is_aside(lamp, &own, bounds) {
             if base != 0.0 {
                 self.changes.push(Change {
                     blocker,

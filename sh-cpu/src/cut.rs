@@ -72,21 +72,25 @@ impl Cuts {
             .for_each(|(cut, range)| {
                 let receivers = &receivers[range.clone()];
                 cut.bounds = Bounds::of(receivers);
+                cut.dark = 0;
                 cut.receivers = receivers.iter().filter(|r| r.covered != 0).count();
             });
     }
 
     /// Finds the blockers of every cluster that has been measured; with a hierarchy those are left out that are
-    /// [too small to matter](Forest::is_negligible). Clusters are spread over the threads of the current rayon pool.
+    /// [too small to matter](Forest::is_negligible). Of the light's lamps it finds out which may have blockers behind them,
+    /// that do not hide them then; those beyond the [32nd](sh_scene::order::LAMPS) are hidden by all. Clusters are spread
+    /// over the threads of the current rayon pool.
     ///
     /// # Panics
     /// If the order of accumulation is not 2 to 6.
-    pub fn find(&mut self, path: Path, forest: &Forest, options: CutOptions) {
+    pub fn find(&mut self, path: Path, forest: &Forest, light: &Light, options: CutOptions) {
         self.find_with(path, forest, options, options.limits.sin_max > 0.0);
+        self.part(light, forest);
     }
 
-    /// As [`find`](Self::find), with those that are too small: for spheres that are lights, which may be small and
-    /// bright.
+    /// As [`find`](Self::find), with those that are too small and without lamps: for spheres that are lights, which may be
+    /// small and bright.
     ///
     /// # Panics
     /// As [`find`](Self::find).
@@ -104,9 +108,10 @@ impl Cuts {
             .for_each(|cut| cut.find(path, forest, options, skip_small));
     }
 
-    /// Finds out which lamps are below the horizon of every receiver of a cluster, so that nothing is computed for them
-    /// there: those of which each receiver would get nothing, to the bit. To be called after [`find`](Self::find), which
-    /// forgets about it. Lamps beyond the 64th are always computed.
+    /// Finds out which lamps are below the horizon of every receiver of a cluster that has been measured, so that nothing is
+    /// computed for them there: those of which each receiver would get nothing, to the bit. To be called after
+    /// [`bound`](Self::bound), which forgets about it, and before [`find`](Self::find). Lamps beyond the 64th are always
+    /// computed.
     pub fn dim(&mut self, light: &Light) {
         if light.emitters.is_empty() {
             return;
@@ -122,10 +127,7 @@ impl Cuts {
         });
     }
 
-    /// Finds out which blockers may be behind a lamp for some receiver of a cluster, and do not hide it then. To be called
-    /// after [`find`](Self::find) and [`dim`](Self::dim), with the same forest: without it blockers hide lamps wherever they
-    /// are, as they do those beyond the [32nd](sh_scene::order::LAMPS).
-    pub fn part(&mut self, light: &Light, forest: &Forest) {
+    fn part(&mut self, light: &Light, forest: &Forest) {
         if light.emitters.is_empty() {
             return;
         }
@@ -243,12 +245,11 @@ impl Cut {
             nodes: [nodes_front, nodes_across],
             ratios,
             bounds,
-            dark,
             behind,
             small,
             ..
         } = self;
-        (*dark, *small) = (0, 0);
+        *small = 0;
         behind.clear();
         front.clear();
         across.clear();

@@ -474,9 +474,8 @@ impl Points {
     ) -> Result<(), Error> {
         self.cuts
             .bound(&self.receivers, &self.clusters, 0..self.clusters.len());
-        self.cuts.find(path, forest, cut);
         self.cuts.dim(light);
-        self.cuts.part(light, forest);
+        self.cuts.find(path, forest, light, cut);
         let shadow = Shadow {
             clusters: &self.clusters,
             cuts: &self.cuts,

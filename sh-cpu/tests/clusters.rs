@@ -58,7 +58,7 @@ fn lit(
 ) -> (Vec<f32>, usize) {
     let mut cuts = Cuts::default();
     cuts.bound(receivers, clusters, 0..clusters.len());
-    cuts.find(Path::best(), forest, options);
+    cuts.find(Path::best(), forest, &sky(4), options);
     let mut radiance = vec![[0.0; 3]; receivers.len()];
     let shadow = Shadow {
         clusters,
@@ -173,7 +173,7 @@ fn what_is_baked_and_what_moves_make_the_whole() {
                 accumulation,
             };
             cuts.bound(&receivers, ranges, 0..ranges.len());
-            cuts.find(Path::best(), &forest, options);
+            cuts.find(Path::best(), &forest, &light, options);
             cuts
         };
         let baked = bake(&receivers, ranges, &all_of(still), accumulation).unwrap();
@@ -230,7 +230,8 @@ fn clusters_that_leave_receivers_out_are_refused() {
     ] {
         let mut cuts = Cuts::default();
         cuts.bound(&receivers, &clusters, 0..clusters.len());
-        cuts.find(Path::best(), &forest, options(Limits::default(), true));
+        let options = options(Limits::default(), true);
+        cuts.find(Path::best(), &forest, &light, options);
         let shadow = Shadow {
             clusters: &clusters,
             cuts: &cuts,

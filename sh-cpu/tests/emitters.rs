@@ -310,9 +310,8 @@ fn share(lamp: AreaLight, spheres: &[Sphere]) -> [f32; 2] {
         ratios: true,
         accumulation: 4,
     };
-    cuts.find(Path::best(), &forest, options);
     cuts.dim(&light);
-    cuts.part(&light, &forest);
+    cuts.find(Path::best(), &forest, &light, options);
     let shadow = Shadow {
         clusters,
         cuts: &cuts,

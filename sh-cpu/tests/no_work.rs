@@ -117,10 +117,11 @@ fn lamps_below_the_horizon_of_a_cluster_are_skipped_to_the_bit() {
         let light = dark(order).with_lights(&lamps).unwrap();
         let mut cuts = Cuts::default();
         cuts.bound(&receivers, &clusters, 0..COUNT);
-        cuts.find(Path::best(), &forest, options(order));
+        cuts.find(Path::best(), &forest, &light, options(order));
         let all = shaded(&receivers, &clusters, &cuts, &light);
         assert_eq!(cuts.lamps_below(), 0);
         cuts.dim(&light);
+        cuts.find(Path::best(), &forest, &light, options(order));
         let below = cuts.lamps_below();
         assert_eq!(shaded(&receivers, &clusters, &cuts, &light), all);
         let share = below as f32 / (COUNT * lamps.len()) as f32;
@@ -172,7 +173,7 @@ fn spheres_too_small_to_matter_do_not() {
             cuts.find_all(Path::best(), &forest, options(order));
             assert_eq!(cuts.too_small(), 0);
             let all = shaded(&receivers, &clusters, &cuts, &even);
-            cuts.find(Path::best(), &forest, options(order));
+            cuts.find(Path::best(), &forest, &even, options(order));
             skipped += cuts.too_small();
             let rest = shaded(&receivers, &clusters, &cuts, &even);
             for (a, b) in all.iter().zip(&rest) {

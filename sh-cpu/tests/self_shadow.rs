@@ -71,6 +71,7 @@ fn largest_change(steps: usize, limits: Option<Limits>) -> Result<f32, Box<dyn s
             cuts.find(
                 Path::best(),
                 &Forest::new(&spheres, &[spheres.len()]),
+                &light,
                 options,
             );
             cuts

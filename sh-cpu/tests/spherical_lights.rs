@@ -88,7 +88,7 @@ impl World {
         let path = Path::best();
         let mut cuts = Cuts::default();
         cuts.bound(receivers, clusters, 0..1);
-        cuts.find(path, &self.forest, cut);
+        cuts.find(path, &self.forest, &self.light, cut);
         let shadow = Shadow {
             clusters,
             cuts: &cuts,

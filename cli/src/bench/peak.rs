@@ -73,7 +73,7 @@ pub fn inner(path: Path) -> Result<Inner, Error> {
         };
         let forest = Forest::new(balls, &[count]);
         cuts.bound(&receivers, clusters, 0..1);
-        cuts.find(path, &forest, options);
+        cuts.find(path, &forest, &light, options);
         cuts
     };
     let sets = [false, true].map(|across| [FEW, MANY].map(|count| cuts(count, across)));

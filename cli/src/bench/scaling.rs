@@ -176,7 +176,7 @@ impl Way {
         light: &Light,
     ) -> Result<(), Error> {
         let start = Instant::now();
-        self.cuts.find(path, forest, self.options);
+        self.cuts.find(path, forest, light, self.options);
         let found = start.elapsed().as_secs_f64();
         let shadow = Shadow {
             clusters,

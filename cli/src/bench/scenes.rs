@@ -115,6 +115,8 @@ pub struct Lamp {
     pub radiance: [f32; 3],
     /// Metres.
     pub radius: f32,
+    /// The angle from straight down within which it glows; none: all over.
+    pub spread: Option<f32>,
 }
 
 /// What a scene is made of.

@@ -9,7 +9,8 @@ use rayon::prelude::*;
 use sh_core::Routines;
 use sh_cpu::{CutOptions, Cuts, Path, Shadow, shadow_clusters};
 use sh_scene::{
-    AreaLight, AreaShape, Clusters, Forest, Light, Limits, Receiver, Sky, Sphere, ringing,
+    AreaLight, AreaShape, Clusters, Distribution, Forest, Light, Limits, Receiver, Sky, Sphere,
+    ringing,
 };
 use std::ops::Range;
 use std::time::Instant;
@@ -126,6 +127,7 @@ impl World {
         let lamp = |lamp: &Lamp| AreaLight {
             // The width is looked for once, not every frame.
             window: Some(ringing::of_small_light(ORDER)),
+            distribution: (lamp.spread).and_then(|s| Distribution::cap(Vec3::NEG_Y, s).ok()),
             ..AreaLight::local(Vec3::new(0.0, 4.0, 0.0), lamp.radius, lamp.radiance)
         };
         let mut world = Self {
@@ -266,9 +268,8 @@ impl World {
             0..all
         };
         cuts.bound(receivers, clusters, which);
-        cuts.find(path, &self.forest, options);
         cuts.dim(&self.light);
-        cuts.part(&self.light, &self.forest);
+        cuts.find(path, &self.forest, &self.light, options);
     }
 
     /// Shades every receiver.

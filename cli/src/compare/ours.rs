@@ -31,6 +31,7 @@ pub(crate) fn ours(scene: &Scene, light: &Light, seen: &Seen) -> Result<Ours, Er
         cuts.find(
             Path::best(),
             &forest,
+            light,
             options(scene, scene.settings.accumulation),
         );
         let shadow = Shadow {

@@ -5,7 +5,7 @@ use crate::Error;
 use crate::compare::Seen;
 use egui::{Color32, ColorImage};
 use sh_cpu::{CutOptions, Cuts, Path};
-use sh_scene::{PassKind, Plan, Resolution, Scene, Tiles};
+use sh_scene::{Light, PassKind, Plan, Resolution, Scene, Tiles};
 use std::sync::Arc;
 
 /// A picture to lay over another, and what it means.
@@ -91,7 +91,13 @@ pub(super) fn of_clusters(scene: &Scene, plan: &Plan, wish: &Wish) -> Result<Lay
         ratios: true,
         accumulation: scene.settings.accumulation,
     };
-    cuts.find(Path::best(), &scene.forest(), options);
+    // Lamps change nothing of it.
+    let light = Light {
+        order: scene.settings.order,
+        coefficients: Vec::new(),
+        emitters: Vec::new(),
+    };
+    cuts.find(Path::best(), &scene.forest(), &light, options);
     let sizes: Vec<usize> = (0..clusters.len())
         .map(|cluster| {
             let blockers = cuts.of(cluster);

@@ -43,9 +43,8 @@ impl Shadows<'_> {
         let Self { forest, cuts, .. } = self;
         stages.time("cut", || {
             cuts.bound(receivers, clusters, 0..clusters.len());
-            cuts.find(Path::best(), forest, options);
             cuts.dim(self.light);
-            cuts.part(self.light, forest);
+            cuts.find(Path::best(), forest, self.light, options);
         });
         self.pairs += cuts.pairs();
         self.shadowed += cuts.receivers();

@@ -66,7 +66,7 @@ fn shadowed_on_cpu(
         accumulation,
     };
     cuts.bound(receivers, clusters, 0..clusters.len());
-    cuts.find(Path::best(), forest, options);
+    cuts.find(Path::best(), forest, light, options);
     let shadow = Shadow {
         clusters,
         cuts: &cuts,

@@ -166,11 +166,12 @@ impl Frame {
         };
         self.cuts
             .bound(&world.receivers, &world.clusters, 0..world.clusters.len());
-        self.cuts.find(path, forest, options);
+        let light = &scene.lights.projected[self.light];
+        self.cuts.find(path, forest, light, options);
         let shadow = Shadow {
             clusters: &world.clusters,
             cuts: &self.cuts,
-            light: &scene.lights.projected[self.light],
+            light,
             accumulation: self.accumulation,
             baked: None,
         };

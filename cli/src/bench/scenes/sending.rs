@@ -253,6 +253,7 @@ pub fn assembly() -> Plan {
         lamps: vec![Lamp {
             radiance: [60.0, 50.0, 38.0],
             radius: 0.3,
+            spread: Some(1.8),
         }],
         indirect: Some(Indirect::default()),
     }

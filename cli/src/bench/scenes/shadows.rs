@@ -9,7 +9,11 @@ use glam::Vec3;
 const GRAY: [f32; 3] = [0.5; 3];
 
 fn lamps() -> Vec<Lamp> {
-    let lamp = |radiance, radius| Lamp { radiance, radius };
+    let lamp = |radiance, radius| Lamp {
+        radiance,
+        radius,
+        spread: None,
+    };
     vec![lamp([60.0, 42.0, 24.0], 0.3), lamp([20.0, 30.0, 60.0], 0.4)]
 }
 
