@@ -237,16 +237,20 @@ fn check_extremes(bench: &Bench, routine: &Routine) -> Result<(), Failed> {
 fn main() {
     let arguments = Arguments::from_args();
     let required = std::env::var_os("GAUNT_REQUIRE_GPU").is_some_and(|value| value != "0");
-    let bench = |gpu| {
-        let pipelines = Mutex::default();
-        Arc::new(Bench { gpu, pipelines })
+    // A device compiles one pipeline at a time, so there are two; both checks of a routine are on the same.
+    let open = || match Gpu::open() {
+        Ok(gpu) => Ok(Arc::new(Bench {
+            gpu,
+            pipelines: Mutex::default(),
+        })),
+        Err(error) => Err(error.to_string()),
     };
-    let bench = Gpu::open().map(bench).map_err(|error| error.to_string());
+    let benches = [open(), open()];
     type Check = fn(&Bench, &Routine) -> Result<(), Failed>;
     let checks: [(&str, Check); 2] = [("", check), ("hard_cases::", check_extremes)];
     let trials = checks.iter().flat_map(|&(prefix, check)| {
-        let bench = bench.clone();
-        ROUTINES.iter().map(move |routine| {
+        let benches = benches.iter().cycle();
+        ROUTINES.iter().zip(benches).map(move |(routine, bench)| {
             let bench = bench.clone();
             let missing = bench.is_err();
             Trial::test(format!("{prefix}{}", routine.name), move || {

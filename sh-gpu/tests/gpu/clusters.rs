@@ -16,7 +16,7 @@ struct Lit<'a> {
 
 impl<'a> Lit<'a> {
     fn new(gpu: &'a Gpu, receivers: &[Receiver], clusters: &[[u32; 2]], largest: u32) -> Self {
-        let pass = ShadowPass::new(&gpu.device, ShadowOptions::default()).unwrap();
+        let pass = ShadowPass::with(&gpu.pipelines, ShadowOptions::default()).unwrap();
         let (input, records) = (gpu.buffer(receivers), gpu.buffer(clusters));
         let output = gpu.room(receivers.len() as u64 * 16);
         let clusters = ClusterBinding {

@@ -2,14 +2,15 @@
 
 use crate::gpu::Gpu;
 use crate::scenes::{Numbers, ball_and_quad, bouncing, standing_quad, view};
-use sh_gpu::Renderer;
+use sh_gpu::{Bands, Renderer};
 use sh_scene::{Plan, Scene, View};
 
 /// The picture of a scene under the light of a counter.
 pub fn render(gpu: &Gpu, scene: &Scene, view: &View, max_samples: u32) -> Vec<[f32; 4]> {
     let plan = Plan::new(scene);
     let renderer =
-        Renderer::with_bands(&gpu.device, &gpu.queue, scene, &plan, view, max_samples).unwrap();
+        Renderer::with_pipelines(&gpu.pipelines, &gpu.queue, scene, &plan, view, max_samples)
+            .unwrap();
     let light = Numbers(4).light(scene.settings.order);
     renderer
         .prepare(&gpu.queue, scene, &scene.forest(), &light, view)
@@ -84,7 +85,8 @@ pub fn a_steady_frame_creates_nothing(gpu: &Gpu) {
     let scene = bouncing();
     let view = view(&scene, 40, 85);
     let plan = Plan::new(&scene);
-    let renderer = Renderer::with_bands(&gpu.device, &gpu.queue, &scene, &plan, &view, 1).unwrap();
+    let renderer =
+        Renderer::with_pipelines(&gpu.pipelines, &gpu.queue, &scene, &plan, &view, 1).unwrap();
     let light = Numbers(4).light(4);
     let forest = scene.forest();
     let frame = || {
@@ -138,7 +140,15 @@ fn bends(gpu: &Gpu, scene: &Scene, bent: &Scene) {
     let view = view(scene, 40, 30);
     let (queue, light) = (&gpu.queue, Numbers(4).light(4));
     let plan = Plan::new(scene);
-    let renderer = Renderer::new(&gpu.device, queue, scene, &plan, &view).unwrap();
+    let renderer = Renderer::with_pipelines(
+        &gpu.pipelines,
+        queue,
+        scene,
+        &plan,
+        &view,
+        Bands::MAX_SAMPLES,
+    )
+    .unwrap();
     let frame = |scene: &Scene| {
         let forest = scene.forest();
         renderer
@@ -174,7 +184,8 @@ pub fn timestamps_tell_every_pass(gpu: &Gpu) {
     let scene = bouncing();
     let view = view(&scene, 40, 85);
     let plan = Plan::new(&scene);
-    let renderer = Renderer::with_bands(&gpu.device, &gpu.queue, &scene, &plan, &view, 1).unwrap();
+    let renderer =
+        Renderer::with_pipelines(&gpu.pipelines, &gpu.queue, &scene, &plan, &view, 1).unwrap();
     let queries = gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
         label: None,
         ty: wgpu::QueryType::Timestamp,

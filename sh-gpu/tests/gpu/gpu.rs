@@ -1,5 +1,6 @@
 //! A device for the tests, with WebGPU's default limits, and reading back.
 
+use sh_gpu::Pipelines;
 use std::sync::Mutex;
 use wgpu::{Buffer, BufferUsages, CommandEncoder, Device, Queue};
 
@@ -9,6 +10,8 @@ pub struct Gpu {
     pub device: Device,
     pub queue: Queue,
     pub timestamps: bool,
+    /// Shared by tests: compiling pipelines takes longer than all else.
+    pub pipelines: Pipelines,
     errors: std::sync::Arc<Mutex<Vec<String>>>,
 }
 
@@ -47,6 +50,7 @@ impl Gpu {
         }));
         let timestamps = !timestamps.is_empty();
         Ok(Self {
+            pipelines: Pipelines::new(&device),
             instance,
             device,
             queue,

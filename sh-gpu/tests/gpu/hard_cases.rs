@@ -25,7 +25,7 @@ fn run(gpu: &Gpu, name: &str) {
                     accumulation,
                     ..ShadowOptions::default()
                 };
-                ShadowPass::new(&gpu.device, options).expect("the device has room")
+                ShadowPass::with(&gpu.pipelines, options).expect("the device has room")
             });
         lit(gpu, pass, receivers, spheres, light)
     };

@@ -133,7 +133,7 @@ impl Case<'_> {
             ..ShadowOptions::default()
         };
         let (device, queue) = (&gpu.device, &gpu.queue);
-        let shadow = ShadowPass::new(device, options).unwrap();
+        let shadow = ShadowPass::with(&gpu.pipelines, options).unwrap();
         let gather = LightGatherPass::new(device, &shadow, self.indirect.blocking).unwrap();
         let bodies = || self.objects.iter().map(Shining::from);
         let bounces = self.indirect.bounces;

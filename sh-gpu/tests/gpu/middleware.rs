@@ -535,5 +535,5 @@ pub fn pipelines_are_shared(gpu: &Gpu) {
     LightGatherPass::new(&gpu.device, &shadow, Blocking::Object).unwrap();
     assert_eq!(made(), (4, 6), "three methods of one module");
     // 64 bytes a blocker; a record, and 16 emitters.
-    assert_eq!(shadow.bytes(), 9 * 64 + 592 + 16 * 64);
+    assert_eq!(shadow.bytes(), 9 * 64 + 592 + 16 * 640);
 }

@@ -97,7 +97,7 @@ pub fn cuts_are_those_of_the_cpu(gpu: &Gpu) {
             max_emitters: 2,
             ..ShadowOptions::default()
         };
-        let pass = ShadowPass::new(&gpu.device, options).unwrap();
+        let pass = ShadowPass::with(&gpu.pipelines, options).unwrap();
         let input = gpu.buffer(&receivers);
         let output = gpu.buffer(&vec![[-1.0_f32; 4]; receivers.len()]);
         let records: Vec<[u32; 2]> = clusters
@@ -147,7 +147,7 @@ pub fn analytic_lights_are_those_of_the_cpu(gpu: &Gpu) {
         let mut expected = vec![[0.0; 3]; 300];
         sh_cpu::irradiance(&receivers, &light, &mut expected).unwrap();
         assert!(expected.iter().filter(|r| r[2] > 0.01).count() > 100);
-        let pass = IrradiancePass::new(&gpu.device, order, 2).unwrap();
+        let pass = IrradiancePass::with(&gpu.pipelines, order, 2, true).unwrap();
         let (input, output) = (gpu.buffer(&receivers), gpu.room(300 * 16));
         let bound = pass
             .bind(
@@ -213,7 +213,7 @@ pub fn upsampled_light_is_that_of_the_cpu(gpu: &Gpu) {
         max_emitters: 2,
         ..ShadowOptions::default()
     };
-    let shadow = ShadowPass::new(&gpu.device, options).unwrap();
+    let shadow = ShadowPass::with(&gpu.pipelines, options).unwrap();
     let pass = UpsamplePass::new(&gpu.device, &gpu.queue, &bands, &shadow).unwrap();
     let wide = |light: &[[f32; 3]]| -> Vec<[f32; 4]> {
         light.iter().map(|&[r, g, b]| [r, g, b, 0.0]).collect()
@@ -260,7 +260,15 @@ pub fn pictures_are_those_of_the_cpu(gpu: &Gpu) {
             let view = view(&scene, 77, 55);
             let plan = Plan::new(&scene);
             let expected = sh_cpu::render(&scene, &plan, sizes, &|_| {}).unwrap();
-            let renderer = Renderer::new(&gpu.device, &gpu.queue, &scene, &plan, &view).unwrap();
+            let renderer = Renderer::with_pipelines(
+                &gpu.pipelines,
+                &gpu.queue,
+                &scene,
+                &plan,
+                &view,
+                Bands::MAX_SAMPLES,
+            )
+            .unwrap();
             let light = scene.light().unwrap();
             let forest = scene.forest();
             renderer

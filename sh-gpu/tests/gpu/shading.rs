@@ -33,7 +33,7 @@ fn accumulated(
         max_emitters: light.emitters.len() as u32,
         ..ShadowOptions::default()
     };
-    let pass = ShadowPass::new(&gpu.device, options).unwrap();
+    let pass = ShadowPass::with(&gpu.pipelines, options).unwrap();
     let (input, output) = (
         gpu.buffer(receivers),
         gpu.buffer(&vec![[-1.0_f32; 4]; receivers.len()]),
@@ -107,7 +107,7 @@ pub fn irradiance_is_that_of_f64(gpu: &Gpu) {
     for order in 2..=6 {
         let mut numbers = Numbers(order as u64);
         let (receivers, light) = (numbers.receivers(300), numbers.light(order));
-        let pass = IrradiancePass::new(&gpu.device, order, 1).unwrap();
+        let pass = IrradiancePass::with(&gpu.pipelines, order, 1, true).unwrap();
         let (input, output) = (
             gpu.buffer(&receivers),
             gpu.buffer(&vec![[-1.0_f32; 4]; 300]),
