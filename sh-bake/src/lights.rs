@@ -74,8 +74,8 @@ impl LightEntry {
 fn light(s: &Section, path: &Path, objects: &[ObjectEntry]) -> Result<LightEntry, Error> {
     let shape = shape(s)?;
     if let AreaShape::Distant { .. } = shape {
-        let only_balls = DISTRIBUTIONS.iter().chain(&["spread", "object"]);
-        for key in only_balls.filter(|key| s.has(key)) {
+        let mut only_balls = DISTRIBUTIONS.iter().chain(&["spread", "object"]);
+        if let Some(key) = only_balls.find(|key| s.has(key)) {
             let message = "has no place beside direction: it is for a ball, which has a center.";
             return Err(s.error(key, message));
         }

@@ -184,6 +184,11 @@ fn what_is_no_light_is_refused() {
     ] {
         assert!(bad.emitter(4).is_err(), "{bad:?}");
     }
+    let bound = AreaLight {
+        object: Some(0),
+        ..light(near(0.0, 1.0), 1.0, None)
+    };
+    assert!(bound.emitter(4).is_err() && bound.placed(&[]).is_err());
 }
 
 /// A ball that glows below, and everywhere a little: what each receiver gets is what an even ball gives it times the mean

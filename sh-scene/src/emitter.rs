@@ -40,8 +40,8 @@ pub struct AreaLight {
 }
 
 /// An [`AreaLight`] as the passes read it: 640 bytes, as `struct Emitter { center: vec3f, radius: f32, radiance:
-/// vec3f, local: f32, gains: array<f32, 6>, order: u32, distribution: array<vec4f, 36> }` in WGSL. An even one is read no
-/// farther than to its order.
+/// vec3f, local: f32, gains: array<f32, 6>, order: u32, distribution: array<vec4f, 36> }` in WGSL. Of an even one nothing
+/// beyond its order is read.
 ///
 /// A receiver at p sees its middle at `center − local·p`, and its angular radius has the sine `radius` over that
 /// vector's length, at most 1: for a distant light `local` is 0, `center` a unit vector and `radius` a sine.
@@ -86,7 +86,6 @@ impl AreaLight {
     /// use sh_scene::{AreaLight, Distribution};
     /// let lamp = AreaLight {
     ///     distribution: Some(Distribution::cap(Vec3::NEG_Y, 1.0)?),
-    ///     object: Some(0),
     ///     ..AreaLight::local(Vec3::new(0.0, 2.0, 0.0), 0.1, [40.0; 3])
     /// };
     /// assert_eq!(lamp.emitter(4)?.order, 4);
@@ -143,8 +142,11 @@ impl AreaLight {
     ///
     /// # Errors
     /// Where a number is not finite, a size is not above 0, an angle is above π/2, a radiance is negative, a window
-    /// has no width, or a disc has a distribution. One that is bound has to be [placed](Self::placed) before.
+    /// has no width, a disc has a distribution, or it is bound to an object and has not been [placed](Self::placed).
     pub fn emitter(&self, order: usize) -> Result<Emitter, LightError> {
+        if self.object.is_some() {
+            return Err(LightError::Unplaced);
+        }
         if self.radiance.iter().any(|c| !c.is_finite() || *c < 0.0) {
             return Err(LightError::Radiance(self.radiance));
         }

@@ -47,6 +47,11 @@ pub enum LightError {
     /// The part of a ball that glows is none.
     #[error("the glowing part of a light spreads over {} degrees, but it has to be above 0 and at most 180", .0.to_degrees())]
     Spread(f32),
+    /// A light that is bound to an object, where it has to be placed in the world.
+    #[error(
+        "a light is bound to an object, but its place in the world is needed: AreaLight::placed tells it"
+    )]
+    Unplaced,
     /// A light that is bound to what is not there, or that is at infinity.
     #[error(
         "a light is bound to object {object} of {objects}, counted from 0, but it has to be a ball and an object that there is"
@@ -122,7 +127,7 @@ impl Light {
     /// The same light and these lights besides; those without radiance are left out.
     ///
     /// # Errors
-    /// Where one of them is none; see [`AreaLight::emitter`].
+    /// Where one of them is none, or is bound to an object; see [`AreaLight::emitter`] and [`AreaLight::placed`].
     pub fn with_lights(mut self, lights: &[AreaLight]) -> Result<Self, LightError> {
         for light in lights {
             let emitter = light.emitter(self.order)?;

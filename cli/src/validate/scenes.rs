@@ -3,7 +3,7 @@
 use super::bodies::{arch, bend, bent, body, cylinder, squirrel, stood};
 use glam::{Quat, Vec3};
 use sh_bake::shapes;
-use sh_scene::{Camera, Ground, Indirect, Object, Scene, Settings, Sky};
+use sh_scene::{AreaLight, Camera, Distribution, Ground, Indirect, Object, Scene, Settings, Sky};
 use std::f32::consts::{FRAC_PI_2, PI};
 
 /// A scene and what it is called.
@@ -13,6 +13,8 @@ pub(super) struct Case {
     /// What is seen.
     pub title: &'static str,
     make: fn() -> Vec<Object>,
+    /// Lamps besides the sky.
+    lamps: fn() -> Vec<AreaLight>,
     /// What the camera looks at.
     target: Vec3,
     /// How far away it is, in metres.
@@ -30,7 +32,7 @@ impl Case {
         Scene {
             objects,
             environment: Sky::default().map(128, 64),
-            lights: Vec::new(),
+            lights: (self.lamps)(),
             ground: Some(Ground {
                 height: 0.0,
                 albedo: [0.5; 3],
@@ -56,26 +58,28 @@ const YELLOW: [f32; 3] = [0.85, 0.65, 0.15];
 const ORANGE: [f32; 3] = [0.85, 0.42, 0.12];
 
 /// All scenes, from simple to hard.
-pub(super) const CASES: [Case; 7] = [
+pub(super) const CASES: [Case; 8] = [
     Case {
         name: "sphere",
         title: "one sphere on a plane",
         make: || vec![ball("ball", 0.5, RED, [0.0; 3])],
+        lamps: Vec::new,
         target: Vec3::new(0.0, 0.3, 0.0),
         distance: 3.0,
     },
     Case {
         name: "spheres",
         title: "several spheres",
-        make: || {
-            vec![
-                ball("red", 0.5, RED, [-0.62, 0.0, 0.0]),
-                ball("green", 0.4, GREEN, [0.35, 0.0, 0.15]),
-                ball("blue", 0.25, BLUE, [-0.1, 0.0, 0.75]),
-                ball("yellow", 0.3, YELLOW, [-0.1, 0.85, 0.1]),
-                ball("orange", 0.35, ORANGE, [0.8, 0.0, -0.6]),
-            ]
-        },
+        make: balls,
+        lamps: Vec::new,
+        target: Vec3::new(0.0, 0.45, 0.0),
+        distance: 4.0,
+    },
+    Case {
+        name: "lamp",
+        title: "several spheres around a lamp that glows to one side",
+        make: balls,
+        lamps: || vec![lamp()],
         target: Vec3::new(0.0, 0.45, 0.0),
         distance: 4.0,
     },
@@ -83,6 +87,7 @@ pub(super) const CASES: [Case; 7] = [
         name: "animal",
         title: "an animal of 32 spheres",
         make: || animal(32),
+        lamps: Vec::new,
         target: Vec3::new(-0.1, 0.5, 0.0),
         distance: 3.5,
     },
@@ -90,6 +95,7 @@ pub(super) const CASES: [Case; 7] = [
         name: "bend-90",
         title: "a cylinder bent by 90 degrees",
         make: || arched(FRAC_PI_2, 12),
+        lamps: Vec::new,
         target: Vec3::new(0.0, 0.3, 0.0),
         distance: 4.4,
     },
@@ -97,6 +103,7 @@ pub(super) const CASES: [Case; 7] = [
         name: "bend-180",
         title: "a cylinder bent by 180 degrees",
         make: || arched(PI, 12),
+        lamps: Vec::new,
         target: Vec3::new(0.0, 0.4, 0.0),
         distance: 3.7,
     },
@@ -104,6 +111,7 @@ pub(super) const CASES: [Case; 7] = [
         name: "box-1",
         title: "a box of one sphere",
         make: || boxed(1),
+        lamps: Vec::new,
         target: Vec3::new(0.0, 0.4, 0.0),
         distance: 3.7,
     },
@@ -111,6 +119,7 @@ pub(super) const CASES: [Case; 7] = [
         name: "box-8",
         title: "a box of 8 spheres",
         make: || boxed(8),
+        lamps: Vec::new,
         target: Vec3::new(0.0, 0.4, 0.0),
         distance: 3.7,
     },
@@ -119,6 +128,25 @@ pub(super) const CASES: [Case; 7] = [
 /// A scene of [`CASES`].
 pub(super) fn case(name: &str) -> Option<&'static Case> {
     CASES.iter().find(|case| case.name == name)
+}
+
+fn balls() -> Vec<Object> {
+    vec![
+        ball("red", 0.5, RED, [-0.62, 0.0, 0.0]),
+        ball("green", 0.4, GREEN, [0.35, 0.0, 0.15]),
+        ball("blue", 0.25, BLUE, [-0.1, 0.0, 0.75]),
+        ball("yellow", 0.3, YELLOW, [-0.1, 0.85, 0.1]),
+        ball("orange", 0.35, ORANGE, [0.8, 0.0, -0.6]),
+    ]
+}
+
+/// Before some of [`balls`] and behind others, wherever it is seen from; dark on the side of the red one.
+fn lamp() -> AreaLight {
+    let ahead = Vec3::new(1.0, -0.5, 0.4);
+    AreaLight {
+        distribution: Distribution::cap(ahead, 1.8).ok(),
+        ..AreaLight::local(Vec3::new(0.15, 0.95, 0.7), 0.1, [60.0, 45.0, 30.0])
+    }
 }
 
 fn ball(name: &str, radius: f32, albedo: [f32; 3], place: [f32; 3]) -> Object {
