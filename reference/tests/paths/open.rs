@@ -229,7 +229,7 @@ fn a_ball_light_with_a_bright_side() {
             let shown: f64 = (0..16)
                 .map(|i| basis[i] * f64::from(coefficients[i][c]))
                 .sum();
-            let radiance = f64::from([2.0, 1.0, 0.5][c]) * shown;
+            let radiance = [2.0, 1.0, 0.5][c] * shown;
             expected[c] += weight * radiance * ray[1].max(0.0) / PI;
         }
     }
