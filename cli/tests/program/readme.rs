@@ -95,12 +95,16 @@ fn the_lines_run() {
         };
         let (program, arguments) = words.split_first().expect("a line has words");
         assert_eq!(program, "gaunt", "{line}");
-        // Files are in the folder.
-        let here = |word: &String| match word.rsplit_once('.') {
-            Some((_, end)) if end.chars().all(char::is_alphabetic) => folder.file(word),
-            _ => word.clone(),
+        // Files are in the folder, and so is what `-o` names.
+        let here = |(i, word): (usize, &String)| {
+            let ending = word.rsplit_once('.').map_or("0", |(_, end)| end);
+            let is_output = i > 0 && arguments[i - 1] == "-o";
+            match is_output || ending.chars().all(char::is_alphabetic) {
+                true => folder.file(word),
+                false => word.clone(),
+            }
         };
-        let mut arguments: Vec<String> = arguments.iter().map(here).collect();
+        let mut arguments: Vec<String> = arguments.iter().enumerate().map(here).collect();
         count += 1;
         let whole: Vec<&str> = arguments.iter().map(String::as_str).collect();
         if let Some(taken) = takes(&whole) {
