@@ -49,6 +49,20 @@ const EDGE: f32 = 1.0655;
 /// Below this distance a receiver is taken to be at a lamp's centre.
 const TINY: f64 = 1e-30;
 
+impl Change {
+    /// One that counts `base` times, wherever it is seen from.
+    fn whole(blocker: Blocker, in_front: bool, base: f32) -> Self {
+        Self {
+            blocker,
+            in_front,
+            base,
+            parted: false,
+            most: 0.0,
+            slope: 0.0,
+        }
+    }
+}
+
 impl Behind {
     /// Forgets everything.
     pub fn clear(&mut self) {
@@ -132,14 +146,7 @@ impl Behind {
         bounds: &Bounds,
         forest: &Forest,
     ) {
-        self.changes.push(Change {
-            blocker: whole,
-            in_front,
-            base: -1.0,
-            parted: false,
-            most: 0.0,
-            slope: 0.0,
-        });
+        self.changes.push(Change::whole(whole, in_front, -1.0));
         let end = forest.nodes()[at].skip as usize;
         for (below, leaf) in forest.nodes().iter().enumerate().take(end).skip(at + 1) {
             if !leaf.is_leaf(below) {
@@ -170,14 +177,7 @@ impl Behind {
         let settled = Pair::of(lamp, &own).is_settled(lamp, &own, bounds.center, bounds.radius);
         if settled || own.radius <= 0.0 || is_aside(lamp, &own, bounds) {
             if base != 0.0 {
-                self.changes.push(Change {
-                    blocker,
-                    in_front,
-                    base,
-                    parted: false,
-                    most: 0.0,
-                    slope: 0.0,
-                });
+                self.changes.push(Change::whole(blocker, in_front, base));
             }
         } else {
             self.push(lamp, blocker, in_front, base);

@@ -159,12 +159,6 @@ impl Cuts {
         &self.cuts[cluster].behind
     }
 
-    /// How many pairs of a cluster and a lamp there are that may have blockers behind it.
-    pub fn lamps_before(&self) -> usize {
-        let before = self.cuts.iter().map(|cut| cut.behind.lamps().count_ones());
-        before.sum::<u32>() as usize
-    }
-
     /// How many pairs of a cluster and a lamp below its horizon there are.
     pub fn lamps_below(&self) -> usize {
         let dark = self.cuts.iter().map(|cut| cut.dark.count_ones() as usize);
