@@ -119,8 +119,8 @@ fn ground_fragment(@builtin(position) place: vec4f) -> GroundTargets {
 // How much a ray must sink, for 1 along `forward`, to meet the ground at all.
 const HORIZON: f32 = 1e-7;
 
-// The object index of the ground.
-const GROUND: u32 = 0xffffffffu;
+// The body of the ground: none.
+const GROUND: u32 = 0u;
 
 @group(0) @binding(1) var places: texture_2d<u32>;
 @group(0) @binding(2) var surfaces: texture_2d<u32>;

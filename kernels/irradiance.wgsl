@@ -27,7 +27,7 @@ fn irradiance(
     var result = vec3f(0.0);
     if (receiver.covered != 0u) {
         let lobe = sh$N_cosine(receiver.normal);
-        result = max(reflected(lobe), vec3f(0.0)) + unshadowed_lamps(lobe, receiver.position);
+        result = max(reflected(lobe), vec3f(0.0)) + unshadowed_lamps(lobe, receiver);
     }
     radiance[index] = vec4f(result, 0.0);
 }

@@ -12,6 +12,7 @@
 #import shared/scan
 #import shared/bounds
 #import shared/cut
+#import shared/log_saturating
 #import shared/blocker
 #import shared/light
 #import shared/light_order

@@ -1,7 +1,6 @@
 // Shadow: light through the visibility of all blocker spheres, for every receiver (Ren et al. 2006, section 8). The
-// log visibilities of the blockers are summed, in the order of accumulation, and exponentiated once; what the order
-// of the light holds of that is multiplied with the cosine lobe and dotted with the light. Twin of sh_cpu's `cut` and
-// `shadow`.
+// log visibilities of the blockers are summed, in the order of accumulation, exponentiated and multiplied with the cosine
+// lobe once; the bands that the light has of that are dotted with it. Twin of sh_cpu's `cut` and `shadow`.
 //
 // Receivers of a cluster share the cut of blockers that a workgroup finds in its memory, a chunk of the tree at a
 // time: workgroup (x, y, z) has the receivers from 64 x on of cluster z * rows + y.
@@ -12,6 +11,7 @@
 #import shared/bounds
 #import shared/visibility
 #import shared/behind
+#import shared/log_shading
 #import shared/light
 #import shared/emitted
 #import library
@@ -72,16 +72,26 @@ fn shadow(
         if (!covered) {
             continue;
         }
-        let transfer = sh$N_product_cosine(visibility_of(found.sum), receiver.normal);
+        let transfer = transfer_of(found.sum, receiver.normal);
         let lobe = sh$N_cosine(receiver.normal);
         if (lamp == NO_LAMP) {
             result = bounded(reflected(transfer), reflected(lobe));
-            result += emitted(transfer, lobe, receiver.position, 0u, lighting.emitters, lamps);
+            result += emitted(transfer, lobe, receiver, 0u, lighting.emitters, lamps);
         } else {
-            result += emitted(transfer, lobe, receiver.position, lamp, lamp + 1u, 0u);
+            result += emitted(transfer, lobe, receiver, lamp, lamp + 1u, 0u);
         }
     }
     if (inside) {
         radiance[index] = vec4f(result, 0.0);
     }
+}
+
+// What leads from light of the light's order to radiance, of the order of accumulation the lower bands.
+fn transfer_of(sum: array<f32, $B>, normal: vec3f) -> array<f32, $C> {
+    let all = sh$A_transfer(sh$A_accumulated_log(sum), normal);
+    var transfer = array<f32, $C>();
+    for (var i = 0u; i < $Cu; i += 1u) {
+        transfer[i] = all[i];
+    }
+    return transfer;
 }

@@ -10,6 +10,7 @@
 #import shared/bounds
 #import shared/visibility
 #import shared/behind
+#import shared/log_saturating
 #import shared/light
 #import shared/emitted
 #import library
@@ -116,4 +117,14 @@ fn with_lamps(all: array<vec3f, $C>, position: vec3f, first: u32, end: u32, with
         }
     }
     return sum;
+}
+
+// Visibility behind all blockers, of which the light's order has the lower bands.
+fn visibility_of(sum: array<f32, $B>) -> array<f32, $C> {
+    let accumulated = sh$A_exp_saturating(sh$A_accumulated_log(sum));
+    var visibility = array<f32, $C>();
+    for (var i = 0u; i < $Cu; i += 1u) {
+        visibility[i] = accumulated[i];
+    }
+    return visibility;
 }

@@ -28,7 +28,7 @@
 // Light without blockers.
 fn unshadowed(receiver: Receiver) -> vec3f {
     let lobe = sh$N_cosine(receiver.normal);
-    return max(reflected(lobe), vec3f(0.0)) + unshadowed_lamps(lobe, receiver.position);
+    return max(reflected(lobe), vec3f(0.0)) + unshadowed_lamps(lobe, receiver);
 }
 
 @compute @workgroup_size(64)
@@ -97,7 +97,8 @@ fn upsample(
     for (var i = 0u; i < SAMPLES; i += 1u) {
         if ((failed >> i & 1u) != 0u) {
             anew[place] = receivers[first + i];
-            anew[place].object = first + i;
+            // Which sample it is, in place of that it is covered.
+            anew[place].covered = first + i + 1u;
             place += 1u;
         }
     }
@@ -191,6 +192,6 @@ fn scatter(
     }
     let cluster = shaded_clusters[tile];
     for (var i = cluster.x + lane; i < cluster.x + cluster.y; i += WORKGROUP) {
-        radiance[shaded_receivers[i].object] = shaded[i];
+        radiance[shaded_receivers[i].covered - 1u] = shaded[i];
     }
 }

@@ -146,6 +146,10 @@ enum Command {
         /// The folder for the files
         #[arg(long, default_value = "codegen/data")]
         out: PathBuf,
+
+        /// Only this file
+        #[arg(long)]
+        only: Option<String>,
     },
 }
 
@@ -273,7 +277,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
             };
             say(&spheres::run(&options)?)
         }
-        Some(Command::Fit { out }) => say(&fit::write(&out)?),
+        Some(Command::Fit { out, only }) => say(&fit::write(&out, only.as_deref())?),
     }
 }
 

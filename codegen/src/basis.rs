@@ -119,13 +119,27 @@ pub(crate) fn turn(l: usize) -> Real {
 
 /// The cosine lobe about `d` over π: `f_lm = (A_l/π) y_lm(d)`, A_l/π = 1, 2/3, 1/4, 0, −1/24, 0.
 pub fn cosine(g: &mut Graph, order: usize, d: &[Value]) -> Vec<Value> {
-    let weights: Vec<_> = [1.0, 2.0 / 3.0, 0.25, 0.0, -1.0 / 24.0, 0.0]
-        .iter()
-        .take(order)
-        .map(|a| g.constant(*a))
-        .collect();
+    let weights: Vec<_> = (0..order).map(|l| g.constant(lobe_band(l))).collect();
     let y = basis(g, order, d);
     scale_bands(g, &weights, &y)
+}
+
+/// A_l/π of the cosine lobe: 1, 2/3, and of other bands, of which only the even ones have any,
+/// 2 (−1)^(l/2 − 1) l! / ((l + 2)(l − 1) 2^l (l/2)!²) (Ramamoorthi and Hanrahan 2001, equation 19).
+pub(crate) fn lobe_band(l: usize) -> f64 {
+    match l {
+        0 => 1.0,
+        1 => 2.0 / 3.0,
+        l if l % 2 == 1 => 0.0,
+        l => {
+            // l! / (2^l (l/2)!²) = Π (2k − 1) / 2k
+            let middle: f64 = (1..=l / 2)
+                .map(|k| (2 * k - 1) as f64 / (2 * k) as f64)
+                .product();
+            let sign = if l % 4 == 0 { -1.0 } else { 1.0 };
+            2.0 * sign * middle / ((l + 2) * (l - 1)) as f64
+        }
+    }
 }
 
 /// `f_lm α_l` with α_l = cos(π/2 · l/h), 0 for l ≥ h.

@@ -10,11 +10,14 @@ const CAP_LOG_TABLE: &str = include_str!("../data/cap_log_table.txt");
 const LENS: &str = include_str!("../data/lens.txt");
 const OPTIMAL_LINEAR: &str = include_str!("../data/optimal_linear.txt");
 const BALL: &str = include_str!("../data/ball.txt");
+const HORIZON: &str = include_str!("../data/horizon.txt");
 const SATURATING: &str = include_str!("../data/saturating.txt");
+const SHADING: &str = include_str!("../data/shading.txt");
 
 /// What the cap logarithms are fitted to, as the data file names it: the exponentials, and the eigen logarithm
 /// itself.
-pub const CAP_LOGS: [&str; 8] = [
+pub const CAP_LOGS: [&str; 9] = [
+    "shading",
     "saturating",
     "sampled",
     "sampled_coarse",
@@ -46,11 +49,15 @@ fn rows(text: &str, words: &[&str]) -> Vec<Vec<f64>> {
 /// Coefficients of a fitted cap logarithm, by what it is fitted to (see [`CAP_LOGS`]): for each band, powers of
 /// u = 2 cos θ − 1, lowest first.
 pub fn cap_log_coefficients(fitted_to: &str, order: usize) -> Vec<Vec<f64>> {
-    let bands = rows(CAP_LOG, &[fitted_to, &order.to_string()]);
+    let order_word = order.to_string();
+    let bands = match fitted_to {
+        "shading" => rows(SHADING, &["log", &order_word]),
+        _ => rows(CAP_LOG, &[fitted_to, &order_word]),
+    };
     assert_eq!(
         bands.len(),
         order,
-        "cap_log.txt has no fit `{fitted_to}` of order {order}"
+        "there is no fit `{fitted_to}` of order {order}"
     );
     bands
 }
@@ -76,6 +83,11 @@ pub fn optimal_linear_wide(order: usize) -> (f64, Vec<Vec<f64>>) {
 pub fn saturating(order: usize) -> (f64, Vec<f64>) {
     let row = &rows(SATURATING, &[&order.to_string()])[0];
     (row[0], row[1..].to_vec())
+}
+
+/// The compression β of `transfer`.
+pub fn shading(order: usize) -> f64 {
+    rows(SHADING, &["compression", &order.to_string()])[0][0]
 }
 
 /// `f_l(θ) = sin²θ · p_l(2 cos θ − 1)`: exactly 0 for θ = 0, and in proportion to the solid angle near it.
@@ -120,10 +132,10 @@ pub fn add_cap_log(g: &mut Graph, fitted_to: &str, order: usize, a: &[Vec<Value>
 
 /// The sum of blockers on the scale of [`crate::basis::monic_basis`] plus one more, band l of it times `a[4][l]`; the
 /// other arguments as in [`add_cap_log`].
-pub fn accumulate_blocker(g: &mut Graph, order: usize, a: &[Vec<Value>]) -> Vec<Value> {
+pub fn accumulate(g: &mut Graph, fitted_to: &str, order: usize, a: &[Vec<Value>]) -> Vec<Value> {
     let square = g.mul(a[1][0], a[1][0]);
     let factors: Vec<_> = a[4].iter().map(|w| g.mul(*w, square)).collect();
-    let coefficients = cap_log_coefficients("saturating", order);
+    let coefficients = cap_log_coefficients(fitted_to, order);
     let weights = bands(g, &coefficients, &factors, a[2][0]);
     let y = crate::basis::monic_basis(g, order, &a[3]);
     (0..order * order)
@@ -131,7 +143,7 @@ pub fn accumulate_blocker(g: &mut Graph, order: usize, a: &[Vec<Value>]) -> Vec<
         .collect()
 }
 
-/// What [`accumulate_blocker`] leaves out: a factor for each coefficient.
+/// What [`accumulate`] leaves out: a factor for each coefficient.
 pub fn accumulation_factors(order: usize) -> Vec<f64> {
     let leading = crate::basis::factors(order).into_iter().enumerate();
     leading
@@ -179,6 +191,36 @@ pub fn lens() -> [Vec<f64>; 2] {
         let mut found = rows(LENS, &[power]);
         found.pop().expect("lens.txt has both powers")
     })
+}
+
+/// The sphere that the horizon cuts: for the powers 0, 1 and 8 of the square of its sine, polynomials in u, lowest power
+/// first.
+pub fn horizon() -> [Vec<f64>; 3] {
+    ["0", "1", "8"].map(|power| {
+        let mut found = rows(HORIZON, &[power]);
+        found.pop().expect("horizon.txt has all powers")
+    })
+}
+
+/// The radius of the sphere that touches the horizon below a sphere's centre and hides as much as the part of that above it,
+/// over the sphere's own: u (1 + (1 − u)(p_0(u) + x p_1(u) + x⁸ p_8(u))), with u = (1 + w)/2 from the height w of its centre
+/// over its radius, held in −1..1, and x the square of the sine of its angular radius.
+pub fn horizon_radius(g: &mut Graph, height: Value, square: Value) -> Value {
+    let (zero, half, one) = (g.constant(0.0), g.constant(0.5), g.constant(1.0));
+    let share = g.mul_add(half, height, half);
+    let share = g.max(share, zero);
+    let u = g.min(share, one);
+    let [low, middle, high] = horizon().map(|c| g.horner(&c, u));
+    let fourth = g.mul(square, square);
+    let eighth = g.mul(fourth, fourth);
+    let sixteenth = g.mul(eighth, eighth);
+    let sum = g.mul_add(square, middle, low);
+    let sum = g.mul_add(sixteenth, high, sum);
+    let rest = g.sub(one, u);
+    let sum = g.mul_add(rest, sum, one);
+    let radius = g.mul(u, sum);
+    // Where it is nearly below, the polynomial may be.
+    g.max(radius, zero)
 }
 
 /// Radii that are told apart from 0: their product is at least this.

@@ -183,6 +183,47 @@ pub fn pointwise(
     f: &[Value],
     mut h: impl FnMut(&mut Graph, Value) -> Value,
 ) -> Vec<Value> {
+    at_samples(g, order, points, gains, f, |g, _, values| {
+        for value in values {
+            *value = h(g, *value);
+        }
+    })
+}
+
+/// f ↦ Σ_q w_q h(f(s_q), s_q · d) y(s_q): as [`pointwise`], of a sample and of the cosine between its direction and
+/// `d`.
+pub fn pointwise_towards(
+    g: &mut Graph,
+    order: usize,
+    points: usize,
+    f: &[Value],
+    d: &[Value],
+    mut h: impl FnMut(&mut Graph, Value, Value) -> Value,
+) -> Vec<Value> {
+    let gains = vec![1.0; order];
+    at_samples(g, order, points, &gains, f, |g, point, values| {
+        // One coordinate a class: the butterfly gives the cosines at all sign flips.
+        let mut cosines = vec![g.constant(0.0); values.len()];
+        let axes = (0..3).filter(|axis| point[*axis] != 0.0);
+        for (slot, axis) in axes.enumerate() {
+            cosines[1 << slot] = g.scale(point[axis], d[axis]);
+        }
+        butterfly(g, &mut cosines);
+        for (value, cosine) in values.iter_mut().zip(cosines) {
+            *value = h(g, *value, cosine);
+        }
+    })
+}
+
+/// To the samples of a rule, a function of those of an octant's point and its sign flips, and back.
+fn at_samples(
+    g: &mut Graph,
+    order: usize,
+    points: usize,
+    gains: &[f64],
+    f: &[Value],
+    mut h: impl FnMut(&mut Graph, &[f64; 3], &mut [Value]),
+) -> Vec<Value> {
     let basis = at_direction(order);
     let mut out = vec![g.constant(0.0); order * order];
     for Octant { point, weight } in octants(points) {
@@ -209,9 +250,7 @@ pub fn pointwise(
             values[class(i)] = g.mul_add(y, f[i], values[class(i)]);
         }
         butterfly(g, &mut values);
-        for value in &mut values {
-            *value = h(g, *value);
-        }
+        h(g, &point, &mut values);
         butterfly(g, &mut values);
         for (i, y) in y.iter().enumerate().filter(|(_, y)| **y != 0.0) {
             let c = g.constant(weight * y * gains[band(i).0]);

@@ -12,9 +12,10 @@
 //
 // Routines, each with the prefix sh2_: basis, cosine, zonal, product, square, product_cosine, triple, dot,
 // product_matrix, matrix_apply, rotate, rotate_matrix, window, cap_visibility, cap_log, add_cap_log,
-// cap_log_saturating, add_cap_log_saturating, accumulate_blocker, accumulated_log, ball_average, disc_covered,
-// exp_saturating, exp_sampled, exp_sampled_coarse, exp_sampled_fine, optimal_linear, optimal_linear_wide,
-// cap_log_row, exp_product_series, exp_ps_star, exp_hyb, exp_optimal_linear, cap_log_table, pack_half, unpack_half.
+// cap_log_saturating, add_cap_log_saturating, cap_log_shading, accumulate_blocker, accumulate_blocker_saturating,
+// accumulated_log, ball_average, disc_covered, exp_saturating, transfer, horizon_radius, exp_sampled,
+// exp_sampled_coarse, exp_sampled_fine, optimal_linear, optimal_linear_wide, cap_log_row, exp_product_series,
+// exp_ps_star, exp_hyb, exp_optimal_linear, cap_log_table, pack_half, unpack_half.
 
 // The n^2 basis functions at the unit vector `d`.
 //
@@ -506,13 +507,59 @@ fn sh2_add_cap_log_saturating(f: array<f32, 4>, sine: f32, cosine: f32, d: vec3<
     );
 }
 
-// A sum of blockers plus one more: what one blocker of a cut costs a receiver of the shadow pass. As
-// `add_cap_log_saturating`, with band l of what is added times `w[l]`, the ratio vector of a blocker that stands for
-// several (1 for one that stands for itself). Coefficients of the sum lack a factor each, which `accumulated_log` puts
-// in at the end; it costs as little for many blockers as for one.
+// As `cap_log`, fitted to `transfer` in the place of the eigen logarithm. theta in 0..pi/2; of a small one band l is
+// that of what the circle hides, so that few small blockers cast the whole of their shadow.
+// Source: Ren et al. 2006, eq. 33-34, with the logarithm fitted against true transfers; `gaunt fit` rewrites the
+// coefficients.
+// 10 multiplications, 7 additions.
+fn sh2_cap_log_shading(sine: f32, cosine: f32) -> array<f32, 2> {
+    let t2 = sine * sine;
+    let t5 = fma(cosine, 2.0, (-1.0));
+    let t9 = fma(-t5, 4.804484, 0.31604287);
+    let t11 = fma(t5, t9, 8.363991);
+    let t13 = fma(t5, t11, (-4.7617764));
+    let t14 = t2 * t13;
+    let t17 = fma(-t5, 1.187361, 4.5963564);
+    let t19 = fma(t5, t17, 0.30570382);
+    let t21 = fma(t5, t19, (-5.249689));
+    let t22 = t2 * t21;
+    return array<f32, 2>(
+        t14, t22,
+    );
+}
+
+// A sum of blockers plus one more: what one blocker of a cut costs a receiver of the shadow pass. The logarithm
+// `cap_log_shading` about the unit vector `d`, band l of it times `w[l]`: a blocker's own weight, times the ratio
+// vector of one that stands for several. Coefficients of the sum lack a factor each, which `accumulated_log` puts in at
+// the end; it costs as little for many blockers as for one.
+// Source: Ren et al. 2006, eq. 38, with the fitted logarithm of `cap_log_shading`.
+// 15 multiplications, 11 additions.
+fn sh2_accumulate_blocker(f: array<f32, 4>, sine: f32, cosine: f32, d: vec3<f32>, w: array<f32, 2>) -> array<f32, 4> {
+    let t11 = sine * sine;
+    let t12 = w[0] * t11;
+    let t13 = w[1] * t11;
+    let t16 = fma(cosine, 2.0, (-1.0));
+    let t20 = fma(-t16, 4.804484, 0.31604287);
+    let t22 = fma(t16, t20, 8.363991);
+    let t24 = fma(t16, t22, (-4.7617764));
+    let t28 = fma(-t16, 1.187361, 4.5963564);
+    let t30 = fma(t16, t28, 0.30570382);
+    let t32 = fma(t16, t30, (-5.249689));
+    let t33 = t13 * t32;
+    let t35 = fma(t12, t24, f[0]);
+    let t36 = fma(d.y, t33, f[1]);
+    let t37 = fma(d.z, t33, f[2]);
+    let t38 = fma(d.x, t33, f[3]);
+    return array<f32, 4>(
+        t35, t36, t37, t38,
+    );
+}
+
+// As `accumulate_blocker`, with the logarithm `cap_log_saturating`: for `exp_saturating`, where the visibility itself
+// is asked for.
 // Source: Ren et al. 2006, eq. 38, with the fitted logarithm of `cap_log_saturating`.
 // 17 multiplications, 13 additions.
-fn sh2_accumulate_blocker(f: array<f32, 4>, sine: f32, cosine: f32, d: vec3<f32>, w: array<f32, 2>) -> array<f32, 4> {
+fn sh2_accumulate_blocker_saturating(f: array<f32, 4>, sine: f32, cosine: f32, d: vec3<f32>, w: array<f32, 2>) -> array<f32, 4> {
     let t11 = sine * sine;
     let t12 = w[0] * t11;
     let t13 = w[1] * t11;
@@ -772,6 +819,252 @@ fn sh2_exp_saturating(f: array<f32, 4>) -> array<f32, 4> {
     return array<f32, 4>(
         t160, t162, t163, t164,
     );
+}
+
+// The transfer from light to what a surface of unit normal `d` reflects behind blockers, from `f`, the sum of their
+// `cap_log_shading`: exp(f) times the cosine lobe over pi, projected. Its dot product with a channel of the light is
+// reflected radiance. What the shadow pass takes.
+//
+// At samples x = f(s)/sqrt(1 + beta|f^|^2/4 pi), f^ being f without its mean, held in -4..1/2, visibility is (1 +
+// x/4)^4: 1 for f = 0, 0 where f says dark, at most 1.602. It is multiplied with the lobe there, of which all bands up
+// to 2n - 2 are taken: those that couple light of order n with visibility of order n. Light of a lower order takes the
+// first coefficients; that way all bands of the visibility are used.
+//
+// Promises for any finite f: the norm of the result is at most 1.602 times the lobe's at the samples, 0.82. Without
+// blockers it is `cosine`. f is told apart up to |f^| = 3e18.
+// Source: (L, H(N), g) = L * (g * H(N)), Ren et al. 2006, eq. 10, by quadrature (Lebedev 1976); beta and the logarithm
+// fitted against true transfers by `gaunt fit`.
+// 114 multiplications, 123 additions.
+fn sh2_transfer(f: array<f32, 4>, d: vec3<f32>) -> array<f32, 4> {
+    let t8 = f[1] * f[1];
+    let t9 = fma(f[2], f[2], t8);
+    let t10 = fma(f[3], f[3], t9);
+    let t12 = min(t10, 1e37);
+    let t15 = fma(t12, 0.13740845, 1.0);
+    let t16 = sqrt(t15);
+    let t17 = 1.0 / t16;
+    let t18 = f[0] * t17;
+    let t19 = f[1] * t17;
+    let t20 = f[2] * t17;
+    let t21 = f[3] * t17;
+    let t26 = t18 * 0.2820948;
+    let t28 = t21 * 0.48860252;
+    let t29 = t26 + t28;
+    let t30 = t26 - t28;
+    let t31 = fma(0.25, t29, 1.0);
+    let t32 = max(t31, 0.0);
+    let t33 = min(t32, 1.125);
+    let t34 = t33 * t33;
+    let t35 = t34 * t34;
+    let t36 = d.x * d.x;
+    let t39 = fma(t36, 0.14920776, 0.029841552);
+    let t40 = fma(d.x, 0.15915494, t39);
+    let t41 = t35 * t40;
+    let t42 = fma(0.25, t30, 1.0);
+    let t43 = max(t42, 0.0);
+    let t44 = min(t43, 1.125);
+    let t45 = t44 * t44;
+    let t46 = t45 * t45;
+    let t47 = fma(-d.x, 0.15915494, t39);
+    let t48 = t46 * t47;
+    let t49 = t41 + t48;
+    let t50 = t41 - t48;
+    let t52 = t49 * 0.23632719;
+    let t54 = t50 * 0.4093307;
+    let t55 = t19 * 0.48860252;
+    let t56 = t26 + t55;
+    let t57 = t26 - t55;
+    let t58 = fma(0.25, t56, 1.0);
+    let t59 = max(t58, 0.0);
+    let t60 = min(t59, 1.125);
+    let t61 = t60 * t60;
+    let t62 = t61 * t61;
+    let t63 = d.y * d.y;
+    let t64 = fma(0.14920776, t63, 0.029841552);
+    let t65 = fma(d.y, 0.15915494, t64);
+    let t66 = t62 * t65;
+    let t67 = fma(0.25, t57, 1.0);
+    let t68 = max(t67, 0.0);
+    let t69 = min(t68, 1.125);
+    let t70 = t69 * t69;
+    let t71 = t70 * t70;
+    let t72 = fma(-d.y, 0.15915494, t64);
+    let t73 = t71 * t72;
+    let t74 = t66 + t73;
+    let t75 = t66 - t73;
+    let t76 = fma(0.23632719, t74, t52);
+    let t77 = 0.4093307 * t75;
+    let t78 = t20 * 0.48860252;
+    let t79 = t26 + t78;
+    let t80 = t26 - t78;
+    let t81 = fma(0.25, t79, 1.0);
+    let t82 = max(t81, 0.0);
+    let t83 = min(t82, 1.125);
+    let t84 = t83 * t83;
+    let t85 = t84 * t84;
+    let t86 = d.z * d.z;
+    let t87 = fma(0.14920776, t86, 0.029841552);
+    let t88 = fma(d.z, 0.15915494, t87);
+    let t89 = t85 * t88;
+    let t90 = fma(0.25, t80, 1.0);
+    let t91 = max(t90, 0.0);
+    let t92 = min(t91, 1.125);
+    let t93 = t92 * t92;
+    let t94 = t93 * t93;
+    let t95 = fma(-d.z, 0.15915494, t87);
+    let t96 = t94 * t95;
+    let t97 = t89 + t96;
+    let t98 = t89 - t96;
+    let t99 = fma(0.23632719, t97, t76);
+    let t100 = 0.4093307 * t98;
+    let t101 = t19 * 0.2820948;
+    let t102 = t20 * 0.2820948;
+    let t103 = t21 * 0.2820948;
+    let t104 = t26 + t103;
+    let t105 = t26 - t103;
+    let t106 = t101 + t104;
+    let t107 = t104 - t101;
+    let t108 = t101 + t105;
+    let t109 = t105 - t101;
+    let t110 = t102 + t106;
+    let t111 = t106 - t102;
+    let t112 = t102 + t108;
+    let t113 = t108 - t102;
+    let t114 = t102 + t107;
+    let t115 = t107 - t102;
+    let t116 = t102 + t109;
+    let t117 = t109 - t102;
+    let t119 = d.x * 0.57735026;
+    let t120 = d.y * 0.57735026;
+    let t121 = d.z * 0.57735026;
+    let t122 = t119 + t120;
+    let t123 = t119 - t120;
+    let t124 = t121 + t122;
+    let t125 = t122 - t121;
+    let t126 = t121 - t123;
+    let t127 = t121 + t123;
+    let t128 = fma(0.25, t110, 1.0);
+    let t129 = max(t128, 0.0);
+    let t130 = min(t129, 1.125);
+    let t131 = t130 * t130;
+    let t132 = t131 * t131;
+    let t133 = t124 * t124;
+    let t134 = fma(0.14920776, t133, 0.029841552);
+    let t135 = fma(0.15915494, t124, t134);
+    let t136 = t132 * t135;
+    let t137 = fma(0.25, t112, 1.0);
+    let t138 = max(t137, 0.0);
+    let t139 = min(t138, 1.125);
+    let t140 = t139 * t139;
+    let t141 = t140 * t140;
+    let t142 = t126 * t126;
+    let t143 = fma(0.14920776, t142, 0.029841552);
+    let t144 = fma(0.15915494, t126, t143);
+    let t145 = t141 * t144;
+    let t146 = fma(0.25, t114, 1.0);
+    let t147 = max(t146, 0.0);
+    let t148 = min(t147, 1.125);
+    let t149 = t148 * t148;
+    let t150 = t149 * t149;
+    let t151 = t127 * t127;
+    let t152 = fma(0.14920776, t151, 0.029841552);
+    let t153 = fma(0.15915494, t127, t152);
+    let t154 = t150 * t153;
+    let t155 = fma(0.25, t116, 1.0);
+    let t156 = max(t155, 0.0);
+    let t157 = min(t156, 1.125);
+    let t158 = t157 * t157;
+    let t159 = t158 * t158;
+    let t160 = t125 * t125;
+    let t161 = fma(0.14920776, t160, 0.029841552);
+    let t162 = fma((-0.15915494), t125, t161);
+    let t163 = t159 * t162;
+    let t164 = fma(0.25, t111, 1.0);
+    let t165 = max(t164, 0.0);
+    let t166 = min(t165, 1.125);
+    let t167 = t166 * t166;
+    let t168 = t167 * t167;
+    let t169 = fma(0.15915494, t125, t161);
+    let t170 = t168 * t169;
+    let t171 = fma(0.25, t113, 1.0);
+    let t172 = max(t171, 0.0);
+    let t173 = min(t172, 1.125);
+    let t174 = t173 * t173;
+    let t175 = t174 * t174;
+    let t176 = fma((-0.15915494), t127, t152);
+    let t177 = t175 * t176;
+    let t178 = fma(0.25, t115, 1.0);
+    let t179 = max(t178, 0.0);
+    let t180 = min(t179, 1.125);
+    let t181 = t180 * t180;
+    let t182 = t181 * t181;
+    let t183 = fma((-0.15915494), t126, t143);
+    let t184 = t182 * t183;
+    let t185 = fma(0.25, t117, 1.0);
+    let t186 = max(t185, 0.0);
+    let t187 = min(t186, 1.125);
+    let t188 = t187 * t187;
+    let t189 = t188 * t188;
+    let t190 = fma((-0.15915494), t124, t134);
+    let t191 = t189 * t190;
+    let t192 = t136 + t145;
+    let t193 = t136 - t145;
+    let t194 = t154 + t163;
+    let t195 = t154 - t163;
+    let t196 = t170 + t177;
+    let t197 = t170 - t177;
+    let t198 = t184 + t191;
+    let t199 = t184 - t191;
+    let t200 = t192 + t194;
+    let t201 = t192 - t194;
+    let t202 = t193 + t195;
+    let t204 = t196 + t198;
+    let t205 = t196 - t198;
+    let t206 = t197 + t199;
+    let t208 = t200 + t204;
+    let t209 = t200 - t204;
+    let t210 = t202 + t206;
+    let t212 = t201 + t205;
+    let t217 = fma(t208, 0.26586807, t99);
+    let t218 = fma(t212, 0.26586807, t77);
+    let t219 = fma(t209, 0.26586807, t100);
+    let t220 = fma(t210, 0.26586807, t54);
+    return array<f32, 4>(
+        t217, t218, t219, t220,
+    );
+}
+
+// Of a sphere that the horizon cuts: the radius of the one that stands for the part above it, over the sphere's own. It
+// touches the horizon from above, below the sphere's centre, and hides the same share of an even sky, weighted by the
+// cosine: a sphere of sine s that touches hides s^3. `height` is that of the sphere's centre over its radius, -1
+// (wholly below: 0) to 1 (wholly above: 1), `square` the square of the sine of the sphere's angular radius. Fitted: the
+// sine to 0.04, and the share to 0.06 of the sky at the most, to 0.03 nearly everywhere.
+// Source: The form factor of a sphere that a horizon cuts (Snyder 1996, "Area light sources for real-time graphics"),
+// to the power 1/3; `gaunt fit` rewrites the coefficients.
+// 17 multiplications, 17 additions.
+fn sh2_horizon_radius(height: f32, square: f32) -> f32 {
+    let t5 = fma(height, 0.5, 0.5);
+    let t6 = max(t5, 0.0);
+    let t7 = min(t6, 1.0);
+    let t10 = fma(-t7, 13.10665, 24.342743);
+    let t12 = fma(t7, t10, (-13.351746));
+    let t14 = fma(t7, t12, 2.6712399);
+    let t17 = fma(t7, 18.312555, (-35.74848));
+    let t19 = fma(t7, t17, 20.971163);
+    let t21 = fma(t7, t19, (-3.2900434));
+    let t24 = fma(t7, 18.360914, (-0.13812698));
+    let t26 = fma(t7, t24, (-7.0894814));
+    let t28 = fma(t7, t26, 3.048628);
+    let t29 = square * square;
+    let t30 = t29 * t29;
+    let t31 = t30 * t30;
+    let t32 = fma(square, t21, t14);
+    let t33 = fma(t28, t31, t32);
+    let t34 = 1.0 - t7;
+    let t35 = fma(t33, t34, 1.0);
+    let t36 = t7 * t35;
+    let t37 = max(t36, 0.0);
+    return t37;
 }
 
 // The exponential of `f` at samples, exp(min(f(s), 0.15)), projected back; on 14, 26, 50, 86 and 86 points for orders 2

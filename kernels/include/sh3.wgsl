@@ -12,9 +12,10 @@
 //
 // Routines, each with the prefix sh3_: basis, cosine, zonal, product, square, product_cosine, triple, dot,
 // product_matrix, matrix_apply, rotate, rotate_matrix, window, cap_visibility, cap_log, add_cap_log,
-// cap_log_saturating, add_cap_log_saturating, accumulate_blocker, accumulated_log, ball_average, disc_covered,
-// exp_saturating, exp_sampled, exp_sampled_coarse, exp_sampled_fine, optimal_linear, optimal_linear_wide,
-// cap_log_row, exp_product_series, exp_ps_star, exp_hyb, exp_optimal_linear, cap_log_table, pack_half, unpack_half.
+// cap_log_saturating, add_cap_log_saturating, cap_log_shading, accumulate_blocker, accumulate_blocker_saturating,
+// accumulated_log, ball_average, disc_covered, exp_saturating, transfer, horizon_radius, exp_sampled,
+// exp_sampled_coarse, exp_sampled_fine, optimal_linear, optimal_linear_wide, cap_log_row, exp_product_series,
+// exp_ps_star, exp_hyb, exp_optimal_linear, cap_log_table, pack_half, unpack_half.
 
 // The n^2 basis functions at the unit vector `d`.
 //
@@ -1195,13 +1196,81 @@ fn sh3_add_cap_log_saturating(f: array<f32, 9>, sine: f32, cosine: f32, d: vec3<
     );
 }
 
-// A sum of blockers plus one more: what one blocker of a cut costs a receiver of the shadow pass. As
-// `add_cap_log_saturating`, with band l of what is added times `w[l]`, the ratio vector of a blocker that stands for
-// several (1 for one that stands for itself). Coefficients of the sum lack a factor each, which `accumulated_log` puts
-// in at the end; it costs as little for many blockers as for one.
+// As `cap_log`, fitted to `transfer` in the place of the eigen logarithm. theta in 0..pi/2; of a small one band l is
+// that of what the circle hides, so that few small blockers cast the whole of their shadow.
+// Source: Ren et al. 2006, eq. 33-34, with the logarithm fitted against true transfers; `gaunt fit` rewrites the
+// coefficients.
+// 14 multiplications, 10 additions.
+fn sh3_cap_log_shading(sine: f32, cosine: f32) -> array<f32, 3> {
+    let t2 = sine * sine;
+    let t5 = fma(cosine, 2.0, (-1.0));
+    let t9 = fma(-t5, 1.8702054, 1.7641344);
+    let t11 = fma(t5, t9, 5.9901485);
+    let t13 = fma(t5, t11, (-6.7703047));
+    let t14 = t2 * t13;
+    let t17 = fma(-t5, 5.115826, 2.3442216);
+    let t19 = fma(t5, t17, 3.901193);
+    let t21 = fma(t5, t19, (-2.6645784));
+    let t22 = t2 * t21;
+    let t25 = fma(t5, 0.6358743, 4.4560995);
+    let t27 = fma(t5, t25, (-1.4047298));
+    let t29 = fma(t5, t27, (-5.6689076));
+    let t30 = t2 * t29;
+    return array<f32, 3>(
+        t14, t22, t30,
+    );
+}
+
+// A sum of blockers plus one more: what one blocker of a cut costs a receiver of the shadow pass. The logarithm
+// `cap_log_shading` about the unit vector `d`, band l of it times `w[l]`: a blocker's own weight, times the ratio
+// vector of one that stands for several. Coefficients of the sum lack a factor each, which `accumulated_log` puts in at
+// the end; it costs as little for many blockers as for one.
+// Source: Ren et al. 2006, eq. 38, with the fitted logarithm of `cap_log_shading`.
+// 31 multiplications, 22 additions.
+fn sh3_accumulate_blocker(f: array<f32, 9>, sine: f32, cosine: f32, d: vec3<f32>, w: array<f32, 3>) -> array<f32, 9> {
+    let t17 = sine * sine;
+    let t18 = w[0] * t17;
+    let t19 = w[1] * t17;
+    let t20 = w[2] * t17;
+    let t23 = fma(cosine, 2.0, (-1.0));
+    let t27 = fma(-t23, 1.8702054, 1.7641344);
+    let t29 = fma(t23, t27, 5.9901485);
+    let t31 = fma(t23, t29, (-6.7703047));
+    let t35 = fma(-t23, 5.115826, 2.3442216);
+    let t37 = fma(t23, t35, 3.901193);
+    let t39 = fma(t23, t37, (-2.6645784));
+    let t40 = t19 * t39;
+    let t43 = fma(t23, 0.6358743, 4.4560995);
+    let t45 = fma(t23, t43, (-1.4047298));
+    let t47 = fma(t23, t45, (-5.6689076));
+    let t48 = t20 * t47;
+    let t49 = d.x + d.y;
+    let t50 = d.x - d.y;
+    let t51 = t49 * t50;
+    let t52 = d.x * 2.0;
+    let t53 = d.y * t52;
+    let t55 = d.y * d.z;
+    let t57 = fma(d.z, d.z, (-0.33333334));
+    let t58 = d.x * d.z;
+    let t59 = fma(t18, t31, f[0]);
+    let t60 = fma(d.y, t40, f[1]);
+    let t61 = fma(d.z, t40, f[2]);
+    let t62 = fma(d.x, t40, f[3]);
+    let t63 = fma(t48, t53, f[4]);
+    let t64 = fma(t48, t55, f[5]);
+    let t65 = fma(t48, t57, f[6]);
+    let t66 = fma(t48, t58, f[7]);
+    let t67 = fma(t48, t51, f[8]);
+    return array<f32, 9>(
+        t59, t60, t61, t62, t63, t64, t65, t66, t67,
+    );
+}
+
+// As `accumulate_blocker`, with the logarithm `cap_log_saturating`: for `exp_saturating`, where the visibility itself
+// is asked for.
 // Source: Ren et al. 2006, eq. 38, with the fitted logarithm of `cap_log_saturating`.
 // 34 multiplications, 25 additions.
-fn sh3_accumulate_blocker(f: array<f32, 9>, sine: f32, cosine: f32, d: vec3<f32>, w: array<f32, 3>) -> array<f32, 9> {
+fn sh3_accumulate_blocker_saturating(f: array<f32, 9>, sine: f32, cosine: f32, d: vec3<f32>, w: array<f32, 3>) -> array<f32, 9> {
     let t17 = sine * sine;
     let t18 = w[0] * t17;
     let t19 = w[1] * t17;
@@ -1683,6 +1752,482 @@ fn sh3_exp_saturating(f: array<f32, 9>) -> array<f32, 9> {
     return array<f32, 9>(
         t347, t349, t350, t351, t353, t354, t252, t355, t207,
     );
+}
+
+// The transfer from light to what a surface of unit normal `d` reflects behind blockers, from `f`, the sum of their
+// `cap_log_shading`: exp(f) times the cosine lobe over pi, projected. Its dot product with a channel of the light is
+// reflected radiance. What the shadow pass takes.
+//
+// At samples x = f(s)/sqrt(1 + beta|f^|^2/4 pi), f^ being f without its mean, held in -4..1/2, visibility is (1 +
+// x/4)^4: 1 for f = 0, 0 where f says dark, at most 1.602. It is multiplied with the lobe there, of which all bands up
+// to 2n - 2 are taken: those that couple light of order n with visibility of order n. Light of a lower order takes the
+// first coefficients; that way all bands of the visibility are used.
+//
+// Promises for any finite f: the norm of the result is at most 1.602 times the lobe's at the samples, 0.82. Without
+// blockers it is `cosine`. f is told apart up to |f^| = 3e18.
+// Source: (L, H(N), g) = L * (g * H(N)), Ren et al. 2006, eq. 10, by quadrature (Lebedev 1976); beta and the logarithm
+// fitted against true transfers by `gaunt fit`.
+// 253 multiplications, 289 additions.
+fn sh3_transfer(f: array<f32, 9>, d: vec3<f32>) -> array<f32, 9> {
+    let t13 = f[1] * f[1];
+    let t14 = fma(f[2], f[2], t13);
+    let t15 = fma(f[3], f[3], t14);
+    let t16 = fma(f[4], f[4], t15);
+    let t17 = fma(f[5], f[5], t16);
+    let t18 = fma(f[6], f[6], t17);
+    let t19 = fma(f[7], f[7], t18);
+    let t20 = fma(f[8], f[8], t19);
+    let t22 = min(t20, 1e37);
+    let t25 = fma(t22, 0.08251911, 1.0);
+    let t26 = sqrt(t25);
+    let t27 = 1.0 / t26;
+    let t28 = f[0] * t27;
+    let t29 = f[1] * t27;
+    let t30 = f[2] * t27;
+    let t31 = f[3] * t27;
+    let t32 = f[4] * t27;
+    let t33 = f[5] * t27;
+    let t34 = f[6] * t27;
+    let t35 = f[7] * t27;
+    let t36 = f[8] * t27;
+    let t41 = t28 * 0.2820948;
+    let t43 = t31 * 0.48860252;
+    let t45 = fma(-t34, 0.31539157, t41);
+    let t47 = fma(t36, 0.54627424, t45);
+    let t48 = t43 + t47;
+    let t49 = t47 - t43;
+    let t50 = fma(0.25, t48, 1.0);
+    let t51 = max(t50, 0.0);
+    let t52 = min(t51, 1.125);
+    let t53 = t52 * t52;
+    let t54 = t53 * t53;
+    let t55 = d.x * d.x;
+    let t58 = fma(-t55, 0.13055679, 0.26111358);
+    let t60 = fma(t55, t58, 0.01865097);
+    let t61 = fma(d.x, 0.15915494, t60);
+    let t62 = t54 * t61;
+    let t63 = fma(0.25, t49, 1.0);
+    let t64 = max(t63, 0.0);
+    let t65 = min(t64, 1.125);
+    let t66 = t65 * t65;
+    let t67 = t66 * t66;
+    let t68 = fma(-d.x, 0.15915494, t60);
+    let t69 = t67 * t68;
+    let t70 = t62 + t69;
+    let t71 = t62 - t69;
+    let t73 = t70 * 0.16880512;
+    let t75 = t71 * 0.29237905;
+    let t77 = t70 * 0.18872987;
+    let t79 = t70 * 0.32688972;
+    let t80 = t29 * 0.48860252;
+    let t81 = fma(-t36, 0.54627424, t45);
+    let t82 = t80 + t81;
+    let t83 = t81 - t80;
+    let t84 = fma(0.25, t82, 1.0);
+    let t85 = max(t84, 0.0);
+    let t86 = min(t85, 1.125);
+    let t87 = t86 * t86;
+    let t88 = t87 * t87;
+    let t89 = d.y * d.y;
+    let t90 = fma((-0.13055679), t89, 0.26111358);
+    let t91 = fma(t89, t90, 0.01865097);
+    let t92 = fma(d.y, 0.15915494, t91);
+    let t93 = t88 * t92;
+    let t94 = fma(0.25, t83, 1.0);
+    let t95 = max(t94, 0.0);
+    let t96 = min(t95, 1.125);
+    let t97 = t96 * t96;
+    let t98 = t97 * t97;
+    let t99 = fma(-d.y, 0.15915494, t91);
+    let t100 = t98 * t99;
+    let t101 = t93 + t100;
+    let t102 = t93 - t100;
+    let t103 = fma(0.16880512, t101, t73);
+    let t104 = 0.29237905 * t102;
+    let t105 = fma(0.18872987, t101, t77);
+    let t106 = fma((-0.32688972), t101, t79);
+    let t107 = t30 * 0.48860252;
+    let t109 = fma(t34, 0.63078314, t41);
+    let t110 = t107 + t109;
+    let t111 = t109 - t107;
+    let t112 = fma(0.25, t110, 1.0);
+    let t113 = max(t112, 0.0);
+    let t114 = min(t113, 1.125);
+    let t115 = t114 * t114;
+    let t116 = t115 * t115;
+    let t117 = d.z * d.z;
+    let t118 = fma((-0.13055679), t117, 0.26111358);
+    let t119 = fma(t117, t118, 0.01865097);
+    let t120 = fma(d.z, 0.15915494, t119);
+    let t121 = t116 * t120;
+    let t122 = fma(0.25, t111, 1.0);
+    let t123 = max(t122, 0.0);
+    let t124 = min(t123, 1.125);
+    let t125 = t124 * t124;
+    let t126 = t125 * t125;
+    let t127 = fma(-d.z, 0.15915494, t119);
+    let t128 = t126 * t127;
+    let t129 = t121 + t128;
+    let t130 = t121 - t128;
+    let t131 = fma(0.16880512, t129, t103);
+    let t132 = 0.29237905 * t130;
+    let t134 = fma(t129, 0.37745973, -t105);
+    let t136 = t29 * 0.34549415;
+    let t137 = t30 * 0.34549415;
+    let t138 = t33 * 0.54627424;
+    let t140 = fma(t34, 0.15769579, t41);
+    let t142 = fma(-t36, 0.27313712, t140);
+    let t143 = t136 + t142;
+    let t144 = t142 - t136;
+    let t145 = t137 + t138;
+    let t146 = t137 - t138;
+    let t147 = t143 + t145;
+    let t148 = t143 - t145;
+    let t149 = t144 + t146;
+    let t150 = t144 - t146;
+    let t152 = d.y * 0.70710677;
+    let t153 = d.z * 0.70710677;
+    let t154 = t152 + t153;
+    let t155 = t152 - t153;
+    let t156 = fma(0.25, t147, 1.0);
+    let t157 = max(t156, 0.0);
+    let t158 = min(t157, 1.125);
+    let t159 = t158 * t158;
+    let t160 = t159 * t159;
+    let t161 = t154 * t154;
+    let t162 = fma((-0.13055679), t161, 0.26111358);
+    let t163 = fma(t161, t162, 0.01865097);
+    let t164 = fma(0.15915494, t154, t163);
+    let t165 = t160 * t164;
+    let t166 = fma(0.25, t149, 1.0);
+    let t167 = max(t166, 0.0);
+    let t168 = min(t167, 1.125);
+    let t169 = t168 * t168;
+    let t170 = t169 * t169;
+    let t171 = t155 * t155;
+    let t172 = fma((-0.13055679), t171, 0.26111358);
+    let t173 = fma(t171, t172, 0.01865097);
+    let t174 = fma((-0.15915494), t155, t173);
+    let t175 = t170 * t174;
+    let t176 = fma(0.25, t148, 1.0);
+    let t177 = max(t176, 0.0);
+    let t178 = min(t177, 1.125);
+    let t179 = t178 * t178;
+    let t180 = t179 * t179;
+    let t181 = fma(0.15915494, t155, t173);
+    let t182 = t180 * t181;
+    let t183 = fma(0.25, t150, 1.0);
+    let t184 = max(t183, 0.0);
+    let t185 = min(t184, 1.125);
+    let t186 = t185 * t185;
+    let t187 = t186 * t186;
+    let t188 = fma((-0.15915494), t154, t163);
+    let t189 = t187 * t188;
+    let t190 = t165 + t175;
+    let t191 = t165 - t175;
+    let t192 = t182 + t189;
+    let t193 = t182 - t189;
+    let t194 = t190 + t192;
+    let t195 = t190 - t192;
+    let t196 = t191 + t193;
+    let t197 = t191 - t193;
+    let t199 = fma(t194, 0.1350441, t131);
+    let t201 = fma(t196, 0.16539457, t104);
+    let t202 = fma(t195, 0.16539457, t132);
+    let t204 = t197 * 0.26151177;
+    let t206 = fma(t194, 0.07549195, t134);
+    let t208 = fma(-t194, 0.13075589, t106);
+    let t209 = t31 * 0.34549415;
+    let t210 = t35 * 0.54627424;
+    let t211 = fma(t36, 0.27313712, t140);
+    let t212 = t209 + t211;
+    let t213 = t211 - t209;
+    let t214 = t137 + t210;
+    let t215 = t137 - t210;
+    let t216 = t212 + t214;
+    let t217 = t212 - t214;
+    let t218 = t213 + t215;
+    let t219 = t213 - t215;
+    let t220 = d.x * 0.70710677;
+    let t221 = t153 + t220;
+    let t222 = t220 - t153;
+    let t223 = fma(0.25, t216, 1.0);
+    let t224 = max(t223, 0.0);
+    let t225 = min(t224, 1.125);
+    let t226 = t225 * t225;
+    let t227 = t226 * t226;
+    let t228 = t221 * t221;
+    let t229 = fma((-0.13055679), t228, 0.26111358);
+    let t230 = fma(t228, t229, 0.01865097);
+    let t231 = fma(0.15915494, t221, t230);
+    let t232 = t227 * t231;
+    let t233 = fma(0.25, t218, 1.0);
+    let t234 = max(t233, 0.0);
+    let t235 = min(t234, 1.125);
+    let t236 = t235 * t235;
+    let t237 = t236 * t236;
+    let t238 = t222 * t222;
+    let t239 = fma((-0.13055679), t238, 0.26111358);
+    let t240 = fma(t238, t239, 0.01865097);
+    let t241 = fma((-0.15915494), t222, t240);
+    let t242 = t237 * t241;
+    let t243 = fma(0.25, t217, 1.0);
+    let t244 = max(t243, 0.0);
+    let t245 = min(t244, 1.125);
+    let t246 = t245 * t245;
+    let t247 = t246 * t246;
+    let t248 = fma(0.15915494, t222, t240);
+    let t249 = t247 * t248;
+    let t250 = fma(0.25, t219, 1.0);
+    let t251 = max(t250, 0.0);
+    let t252 = min(t251, 1.125);
+    let t253 = t252 * t252;
+    let t254 = t253 * t253;
+    let t255 = fma((-0.15915494), t221, t230);
+    let t256 = t254 * t255;
+    let t257 = t232 + t242;
+    let t258 = t232 - t242;
+    let t259 = t249 + t256;
+    let t260 = t249 - t256;
+    let t261 = t257 + t259;
+    let t262 = t257 - t259;
+    let t263 = t258 + t260;
+    let t264 = t258 - t260;
+    let t265 = fma(0.1350441, t261, t199);
+    let t266 = fma(0.16539457, t262, t202);
+    let t267 = fma(0.16539457, t263, t75);
+    let t268 = fma(0.07549195, t261, t206);
+    let t269 = 0.26151177 * t264;
+    let t270 = fma(0.13075589, t261, t208);
+    let t272 = t32 * 0.54627424;
+    let t273 = t45 + t209;
+    let t274 = t45 - t209;
+    let t275 = t136 + t272;
+    let t276 = t136 - t272;
+    let t277 = t273 + t275;
+    let t278 = t273 - t275;
+    let t279 = t274 + t276;
+    let t280 = t274 - t276;
+    let t281 = t152 + t220;
+    let t282 = t220 - t152;
+    let t283 = fma(0.25, t277, 1.0);
+    let t284 = max(t283, 0.0);
+    let t285 = min(t284, 1.125);
+    let t286 = t285 * t285;
+    let t287 = t286 * t286;
+    let t288 = t281 * t281;
+    let t289 = fma((-0.13055679), t288, 0.26111358);
+    let t290 = fma(t288, t289, 0.01865097);
+    let t291 = fma(0.15915494, t281, t290);
+    let t292 = t287 * t291;
+    let t293 = fma(0.25, t279, 1.0);
+    let t294 = max(t293, 0.0);
+    let t295 = min(t294, 1.125);
+    let t296 = t295 * t295;
+    let t297 = t296 * t296;
+    let t298 = t282 * t282;
+    let t299 = fma((-0.13055679), t298, 0.26111358);
+    let t300 = fma(t298, t299, 0.01865097);
+    let t301 = fma((-0.15915494), t282, t300);
+    let t302 = t297 * t301;
+    let t303 = fma(0.25, t278, 1.0);
+    let t304 = max(t303, 0.0);
+    let t305 = min(t304, 1.125);
+    let t306 = t305 * t305;
+    let t307 = t306 * t306;
+    let t308 = fma(0.15915494, t282, t300);
+    let t309 = t307 * t308;
+    let t310 = fma(0.25, t280, 1.0);
+    let t311 = max(t310, 0.0);
+    let t312 = min(t311, 1.125);
+    let t313 = t312 * t312;
+    let t314 = t313 * t313;
+    let t315 = fma((-0.15915494), t281, t290);
+    let t316 = t314 * t315;
+    let t317 = t292 + t302;
+    let t318 = t292 - t302;
+    let t319 = t309 + t316;
+    let t320 = t309 - t316;
+    let t321 = t317 + t319;
+    let t322 = t317 - t319;
+    let t323 = t318 + t320;
+    let t324 = t318 - t320;
+    let t325 = fma(0.1350441, t321, t265);
+    let t326 = fma(0.16539457, t322, t201);
+    let t327 = fma(0.16539457, t323, t267);
+    let t329 = t324 * 0.26151177;
+    let t331 = fma(-t321, 0.1509839, t268);
+    let t332 = t29 * 0.2820948;
+    let t333 = t30 * 0.2820948;
+    let t334 = t31 * 0.2820948;
+    let t336 = t32 * 0.3641828;
+    let t337 = t33 * 0.3641828;
+    let t338 = t35 * 0.3641828;
+    let t339 = t41 + t334;
+    let t340 = t41 - t334;
+    let t341 = t332 + t336;
+    let t342 = t332 - t336;
+    let t343 = t333 + t338;
+    let t344 = t333 - t338;
+    let t345 = t339 + t341;
+    let t346 = t339 - t341;
+    let t347 = t340 + t342;
+    let t348 = t340 - t342;
+    let t349 = t337 + t343;
+    let t350 = t343 - t337;
+    let t351 = t337 + t344;
+    let t352 = t344 - t337;
+    let t353 = t345 + t349;
+    let t354 = t345 - t349;
+    let t355 = t347 + t351;
+    let t356 = t347 - t351;
+    let t357 = t346 + t350;
+    let t358 = t346 - t350;
+    let t359 = t348 + t352;
+    let t360 = t348 - t352;
+    let t362 = d.x * 0.57735026;
+    let t363 = d.y * 0.57735026;
+    let t364 = d.z * 0.57735026;
+    let t365 = t362 + t363;
+    let t366 = t362 - t363;
+    let t367 = t364 + t365;
+    let t368 = t365 - t364;
+    let t369 = t364 - t366;
+    let t370 = t364 + t366;
+    let t371 = fma(0.25, t353, 1.0);
+    let t372 = max(t371, 0.0);
+    let t373 = min(t372, 1.125);
+    let t374 = t373 * t373;
+    let t375 = t374 * t374;
+    let t376 = t367 * t367;
+    let t377 = fma((-0.13055679), t376, 0.26111358);
+    let t378 = fma(t376, t377, 0.01865097);
+    let t379 = fma(0.15915494, t367, t378);
+    let t380 = t375 * t379;
+    let t381 = fma(0.25, t355, 1.0);
+    let t382 = max(t381, 0.0);
+    let t383 = min(t382, 1.125);
+    let t384 = t383 * t383;
+    let t385 = t384 * t384;
+    let t386 = t369 * t369;
+    let t387 = fma((-0.13055679), t386, 0.26111358);
+    let t388 = fma(t386, t387, 0.01865097);
+    let t389 = fma(0.15915494, t369, t388);
+    let t390 = t385 * t389;
+    let t391 = fma(0.25, t357, 1.0);
+    let t392 = max(t391, 0.0);
+    let t393 = min(t392, 1.125);
+    let t394 = t393 * t393;
+    let t395 = t394 * t394;
+    let t396 = t370 * t370;
+    let t397 = fma((-0.13055679), t396, 0.26111358);
+    let t398 = fma(t396, t397, 0.01865097);
+    let t399 = fma(0.15915494, t370, t398);
+    let t400 = t395 * t399;
+    let t401 = fma(0.25, t359, 1.0);
+    let t402 = max(t401, 0.0);
+    let t403 = min(t402, 1.125);
+    let t404 = t403 * t403;
+    let t405 = t404 * t404;
+    let t406 = t368 * t368;
+    let t407 = fma((-0.13055679), t406, 0.26111358);
+    let t408 = fma(t406, t407, 0.01865097);
+    let t409 = fma((-0.15915494), t368, t408);
+    let t410 = t405 * t409;
+    let t411 = fma(0.25, t354, 1.0);
+    let t412 = max(t411, 0.0);
+    let t413 = min(t412, 1.125);
+    let t414 = t413 * t413;
+    let t415 = t414 * t414;
+    let t416 = fma(0.15915494, t368, t408);
+    let t417 = t415 * t416;
+    let t418 = fma(0.25, t356, 1.0);
+    let t419 = max(t418, 0.0);
+    let t420 = min(t419, 1.125);
+    let t421 = t420 * t420;
+    let t422 = t421 * t421;
+    let t423 = fma((-0.15915494), t370, t398);
+    let t424 = t422 * t423;
+    let t425 = fma(0.25, t358, 1.0);
+    let t426 = max(t425, 0.0);
+    let t427 = min(t426, 1.125);
+    let t428 = t427 * t427;
+    let t429 = t428 * t428;
+    let t430 = fma((-0.15915494), t369, t388);
+    let t431 = t429 * t430;
+    let t432 = fma(0.25, t360, 1.0);
+    let t433 = max(t432, 0.0);
+    let t434 = min(t433, 1.125);
+    let t435 = t434 * t434;
+    let t436 = t435 * t435;
+    let t437 = fma((-0.15915494), t367, t378);
+    let t438 = t436 * t437;
+    let t439 = t380 + t390;
+    let t440 = t380 - t390;
+    let t441 = t400 + t410;
+    let t442 = t400 - t410;
+    let t443 = t417 + t424;
+    let t444 = t417 - t424;
+    let t445 = t431 + t438;
+    let t446 = t431 - t438;
+    let t447 = t439 + t441;
+    let t448 = t439 - t441;
+    let t449 = t440 + t442;
+    let t450 = t440 - t442;
+    let t451 = t443 + t445;
+    let t452 = t443 - t445;
+    let t453 = t444 + t446;
+    let t454 = t444 - t446;
+    let t455 = t447 + t451;
+    let t456 = t447 - t451;
+    let t457 = t449 + t453;
+    let t458 = t449 - t453;
+    let t459 = t448 + t452;
+    let t460 = t448 - t452;
+    let t461 = t450 + t454;
+    let t464 = fma(t455, 0.113943465, t325);
+    let t465 = fma(t459, 0.113943465, t326);
+    let t466 = fma(t456, 0.113943465, t266);
+    let t467 = fma(t457, 0.113943465, t327);
+    let t469 = fma(t461, 0.14710037, t329);
+    let t470 = fma(t460, 0.14710037, t204);
+    let t471 = fma(t458, 0.14710037, t269);
+    return array<f32, 9>(
+        t464, t465, t466, t467, t469, t470, t331, t471, t270,
+    );
+}
+
+// Of a sphere that the horizon cuts: the radius of the one that stands for the part above it, over the sphere's own. It
+// touches the horizon from above, below the sphere's centre, and hides the same share of an even sky, weighted by the
+// cosine: a sphere of sine s that touches hides s^3. `height` is that of the sphere's centre over its radius, -1
+// (wholly below: 0) to 1 (wholly above: 1), `square` the square of the sine of the sphere's angular radius. Fitted: the
+// sine to 0.04, and the share to 0.06 of the sky at the most, to 0.03 nearly everywhere.
+// Source: The form factor of a sphere that a horizon cuts (Snyder 1996, "Area light sources for real-time graphics"),
+// to the power 1/3; `gaunt fit` rewrites the coefficients.
+// 17 multiplications, 17 additions.
+fn sh3_horizon_radius(height: f32, square: f32) -> f32 {
+    let t5 = fma(height, 0.5, 0.5);
+    let t6 = max(t5, 0.0);
+    let t7 = min(t6, 1.0);
+    let t10 = fma(-t7, 13.10665, 24.342743);
+    let t12 = fma(t7, t10, (-13.351746));
+    let t14 = fma(t7, t12, 2.6712399);
+    let t17 = fma(t7, 18.312555, (-35.74848));
+    let t19 = fma(t7, t17, 20.971163);
+    let t21 = fma(t7, t19, (-3.2900434));
+    let t24 = fma(t7, 18.360914, (-0.13812698));
+    let t26 = fma(t7, t24, (-7.0894814));
+    let t28 = fma(t7, t26, 3.048628);
+    let t29 = square * square;
+    let t30 = t29 * t29;
+    let t31 = t30 * t30;
+    let t32 = fma(square, t21, t14);
+    let t33 = fma(t28, t31, t32);
+    let t34 = 1.0 - t7;
+    let t35 = fma(t33, t34, 1.0);
+    let t36 = t7 * t35;
+    let t37 = max(t36, 0.0);
+    return t37;
 }
 
 // The exponential of `f` at samples, exp(min(f(s), 0.15)), projected back; on 14, 26, 50, 86 and 86 points for orders 2

@@ -1,4 +1,5 @@
 #import shared/records
+#import library
 
 // A blocker as the receiver sees it: sine and cosine of its angular radius (0 to 90 degrees), and the
 // direction of its centre. A sine of 0 means that it does not count.
@@ -8,36 +9,47 @@ struct Blocker {
     direction: vec3f,
 }
 
-const TINY: f32 = 1e-30;
+const TINY: f32 = 1e-18;
+// Smallest square of the distance of a ball that stands for another, over the square of the other's.
 const FOOT: f32 = 1e-6;
 
-// The self-shadow rule of Ren et al. 2006, section 6.2, in a form without jumps. `center` is the sphere's
-// centre seen from the receiver, `height` = c its height above the tangent plane. In front (c >= r) the
-// sphere counts as it is, behind (c <= -r) not at all. Between, a sphere counts that touches the plane from
-// the front at the foot of the centre: its radius goes from max(c, 0), for a receiver inside the circle that
-// the plane cuts from the sphere, to (r + c) / 2 at twice that circle's radius.
-fn replace(center: vec3f, normal: vec3f, radius: f32) -> Blocker {
+// 1 - sin^2 from which on a ball of the receiver's own body counts as others do; sh_core::seen::OWN.
+const OWN: f32 = 0.3;
+
+// What of a ball is above the horizon of a receiver; `center` is seen from there, `own` says that the ball is of the
+// receiver's own body. Twin of sh_core::seen, where the rule and its reasons stand.
+fn above(center: vec3f, normal: vec3f, radius: f32, own: bool) -> Blocker {
     let height = dot(center, normal);
-    if (height <= -radius) {
+    let square = dot(center, center);
+    // At the very centre it does not count.
+    if (height <= -radius || square <= TINY * TINY) {
         return Blocker(0.0, 1.0, normal);
     }
-    if (height >= radius) {
-        return seen(center, radius);
+    let sine_squared = radius * radius / square;
+    // From inside a ball counts that reaches to the receiver: its height is over more than its radius.
+    let over = height / max(radius, TINY) * max(sine_squared, 1.0);
+    let cuts = height < radius;
+    let grown = select(1.0, min((1.0 - min(sine_squared, 1.0)) / OWN, 1.0), own);
+    if (!cuts) {
+        let whole = seen(center, radius);
+        return Blocker(whole.sine * grown, whole.cosine, whole.direction);
     }
-    // The share of the distance between once and twice the circle's radius, in squares.
-    let square = dot(center, center);
-    let foot_squared = max(square - height * height, 0.0);
-    let circle_squared = max((radius - height) * (radius + height), TINY);
-    let a = clamp((foot_squared / circle_squared - 1.0) / 3.0, 0.0, 1.0);
-    let inner = max(height, 0.0);
-    let counted = max(inner + a * ((radius + height) * 0.5 - inner), 0.0);
-    // Under the foot, where nothing counts, a distance that cancels to 0 would make the direction endless.
-    let distance = sqrt(max(foot_squared + counted * counted, FOOT * square));
-    let inverse = 1.0 / max(distance, TINY);
-    // The sphere touches the plane at the foot.
-    let cosine = min(sqrt(foot_squared) * inverse, 1.0);
-    let direction = (center + (counted - height) * normal) * inverse;
-    return Blocker(min(counted * inverse, 1.0), cosine, direction);
+    if (over <= -1.0) {
+        return Blocker(0.0, 1.0, normal);
+    }
+    let counted = radius * sh$N_horizon_radius(over, min(sine_squared, 1.0));
+    // The ball touches the plane at the foot.
+    let foot = center - height * normal;
+    let along = dot(foot, foot);
+    // Under the foot, where nothing counts, rounding must not make a small ball a near one.
+    let inverse = 1.0 / max(sqrt(max(along + counted * counted, FOOT * square)), TINY);
+    let cosine = min(sqrt(along) * inverse, 1.0);
+    return Blocker(min(counted * inverse, 1.0) * grown, cosine, (foot + counted * normal) * inverse);
+}
+
+// Whether a blocker of the body `object` is of the receiver's own.
+fn is_own(receiver: Receiver, object: u32) -> bool {
+    return object != 0u && object == receiver.object;
 }
 
 // A ball as it is; `center` is seen from the receiver.

@@ -1,4 +1,5 @@
-// The blockers that a cluster of receivers needs (Ren et al. 2006, section 6.3). Twin of sh_cpu's `cut`.
+// The blockers that a cluster of receivers needs (Ren et al. 2006, section 6.3). Twin of sh_cpu's `cut`. Which logarithm is
+// summed says the pass, by importing shared/log_shading or shared/log_saturating.
 
 #import shared/records
 #import shared/blocker
@@ -9,6 +10,8 @@ struct Weighted {
     center: vec3f,
     radius: f32,
     weights: array<f32, $A>,
+    // Its body; 0: none or several.
+    object: u32,
 }
 
 // Whether a node is small enough, seen from every receiver of the cluster, to stand for its leaves (equation 36).
@@ -44,12 +47,12 @@ fn is_negligible(at: u32, bounds: vec4f) -> bool {
 // A node of the cut as the receivers add it up. A leaf stands for itself.
 fn weighted(at: u32, bounds: vec4f) -> Weighted {
     let node = nodes[at];
-    var result = Weighted(node.center, node.radius, array<f32, $A>());
+    var result = Weighted(node.center, node.radius, array<f32, $A>(), node.object);
     if (node.skip > at + 1u) {
         result.weights = ratio(at, bounds.xyz);
     } else {
         for (var l = 0u; l < $Au; l += 1u) {
-            result.weights[l] = 1.0;
+            result.weights[l] = weight_of(node);
         }
     }
     return result;
@@ -69,12 +72,13 @@ fn ratio(at: u32, place: vec3f) -> array<f32, $A> {
         let nearest = lighting.sin_min * lighting.sin_min * dot(towards, towards);
         if (node.skip <= below + 1u || node.radius * node.radius < nearest) {
             let cap = seen(towards, min(sqrt(node.area), node.radius));
-            let log = sh$A_cap_log_saturating(cap.sine, cap.cosine);
+            let log = log_of_cap(cap.sine, cap.cosine);
+            let weight = weight_of(node);
             let x = clamp(dot(cap.direction, middle.direction), -1.0, 1.0);
             var before = 0.0;
             var now = 1.0;
             for (var l = 0u; l < $Au; l += 1u) {
-                sum[l] += log[l] * now;
+                sum[l] += weight * log[l] * now;
                 let next = (f32(2u * l + 1u) * x * now - f32(l) * before) / f32(l + 1u);
                 before = now;
                 now = next;
@@ -84,7 +88,7 @@ fn ratio(at: u32, place: vec3f) -> array<f32, $A> {
             below += 1u;
         }
     }
-    let log = sh$A_cap_log_saturating(middle.sine, middle.cosine);
+    let log = log_of_cap(middle.sine, middle.cosine);
     for (var l = 0u; l < $Au; l += 1u) {
         sum[l] /= log[l];
     }

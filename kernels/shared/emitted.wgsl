@@ -56,12 +56,27 @@ fn emitter_radiance(at: u32, seen: Shown) -> vec3f {
     return result;
 }
 
-// What lights give a surface of albedo 1, each held within [0, unshadowed], given the transfer of shadowed and of
-// unshadowed light: those from `first` to before `end`, without those whose bit is set.
+// Which share a light of radiance 1 is of an even sky's, weighted by the cosine: what of its cap is above the horizon
+// (sh_core::seen).
+fn share_above(seen: Shown, normal: vec3f) -> f32 {
+    let facing = dot(normal, seen.direction);
+    if (facing > seen.sine) {
+        return seen.sine * seen.sine * facing;
+    }
+    // A sphere of this sine at the distance 1, and the one that touches the horizon in its place.
+    let over = facing / max(seen.sine, NEAREST);
+    let counted = seen.sine * sh$N_horizon_radius(over, seen.sine * seen.sine);
+    let along = max(1.0 - facing * facing, 0.0);
+    let part = counted / max(sqrt(along + counted * counted), NEAREST);
+    return part * part * part;
+}
+
+// What lights give a surface of albedo 1: what each gives in the open, times the share that blockers leave of it, which the
+// transfers of shadowed and of unshadowed light tell. Those from `first` to before `end`, without those whose bit is set.
 fn emitted(
     transfer: array<f32, $C>,
     lobe: array<f32, $C>,
-    position: vec3f,
+    receiver: Receiver,
     first: u32,
     end: u32,
     without: u32,
@@ -71,19 +86,22 @@ fn emitted(
         if (i < 32u && (without >> i & 1u) != 0u) {
             continue;
         }
-        let seen = shown(i, position);
-        let light = emitter_light(i, seen);
-        let open = sh$N_dot(light, lobe);
+        let seen = shown(i, receiver.position);
+        let share = share_above(seen, receiver.normal);
         // Nothing comes from below the horizon.
-        if (open > 0.0) {
-            let lit = bounded(vec3f(sh$N_dot(light, transfer)), vec3f(open));
-            sum += lit * emitter_radiance(i, seen);
+        if (share > 0.0) {
+            let light = emitter_light(i, seen);
+            let open = sh$N_dot(light, lobe);
+            if (open > 0.0) {
+                let lit = bounded(vec3f(sh$N_dot(light, transfer)), vec3f(open));
+                sum += share * (lit / open) * emitter_radiance(i, seen);
+            }
         }
     }
     return sum;
 }
 
 // The same without blockers.
-fn unshadowed_lamps(lobe: array<f32, $C>, position: vec3f) -> vec3f {
-    return emitted(lobe, lobe, position, 0u, lighting.emitters, 0u);
+fn unshadowed_lamps(lobe: array<f32, $C>, receiver: Receiver) -> vec3f {
+    return emitted(lobe, lobe, receiver, 0u, lighting.emitters, 0u);
 }

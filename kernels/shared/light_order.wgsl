@@ -118,5 +118,6 @@ fn sort_kept(count: u32, middle: vec3f, lane: u32) {
 
 // A sphere in workgroup memory as the receiver sees it.
 fn seen_by(receiver: Receiver, at: u32) -> Blocker {
-    return replace(balls[at].xyz - receiver.position, receiver.normal, balls[at].w);
+    let own = is_own(receiver, nodes[names[at]].object);
+    return above(balls[at].xyz - receiver.position, receiver.normal, balls[at].w, own);
 }

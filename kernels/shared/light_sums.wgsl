@@ -208,7 +208,7 @@ fn with_sphere(sum: array<f32, $C>, seen: Blocker, weights: array<f32, $N>, shar
     for (var l = 0u; l < $Nu; l += 1u) {
         counted[l] *= share;
     }
-    return sh$N_accumulate_blocker(sum, seen.sine, seen.cosine, seen.direction, counted);
+    return add_blocker(sum, seen, counted);
 }
 
 // exp(f) . H: what a surface sees of a white sky.

@@ -19,6 +19,10 @@ struct Node {
     // The first node that is not below this one.
     skip: u32,
     sphere: u32,
+    // What a leaf's log visibility is multiplied with; of others the mean of those below.
+    weight: f32,
+    // The body of all leaves below, as receivers carry it; 0: several.
+    object: u32,
 }
 
 // A disc in the sky or a glowing ball; sh_scene::Emitter. A receiver at p sees its middle at center - local p, and

@@ -1,5 +1,5 @@
-// What blockers leave visible of the sky: log visibilities summed over a cluster's cut, in the order of accumulation,
-// and exponentiated once (Ren et al. 2006, section 8). Twin of sh_cpu's `cut` and `shadow`.
+// Log visibilities summed over a cluster's cut, in the order of accumulation (Ren et al. 2006, section 8). Twin of sh_cpu's
+// `cut` and `shadow`. Which logarithm says the pass, by importing shared/log_shading or shared/log_saturating.
 
 #import shared/records
 #import shared/invocation
@@ -57,7 +57,9 @@ fn log_visibility(receiver: Receiver, bounds: vec4f, lane: u32, lamp: u32) -> Lo
         }
         workgroupBarrier();
         for (var i = 0u; i < found; i += 1u) {
-            let blocker = replace(cut[i].center - receiver.position, receiver.normal, cut[i].radius);
+            let towards = cut[i].center - receiver.position;
+            let own = is_own(receiver, cut[i].object);
+            let blocker = above(towards, receiver.normal, cut[i].radius, own);
             if (covered && blocker.sine > 0.0) {
                 var weights = cut[i].weights;
                 if (of_lamp) {
@@ -66,7 +68,7 @@ fn log_visibility(receiver: Receiver, bounds: vec4f, lane: u32, lamp: u32) -> Lo
                         weights[l] *= part;
                     }
                 }
-                sum = sh$A_accumulate_blocker(sum, blocker.sine, blocker.cosine, blocker.direction, weights);
+                sum = add_blocker(sum, blocker, weights);
             }
         }
         workgroupBarrier();
@@ -76,14 +78,4 @@ fn log_visibility(receiver: Receiver, bounds: vec4f, lane: u32, lamp: u32) -> Lo
         lamps = gather_lamps(behind, lane);
     }
     return LogVisibility(sum, lamps);
-}
-
-// Visibility, of which the light's order has the lower bands.
-fn visibility_of(sum: array<f32, $B>) -> array<f32, $C> {
-    let accumulated = sh$A_exp_saturating(sh$A_accumulated_log(sum));
-    var visibility = array<f32, $C>();
-    for (var i = 0u; i < $Cu; i += 1u) {
-        visibility[i] = accumulated[i];
-    }
-    return visibility;
 }

@@ -122,7 +122,7 @@ pub fn source(pass: Pass, order: usize) -> Option<&'static str> {
 /// `None` outside [`MIN_ORDER`] to [`MAX_ORDER`].
 ///
 /// ```
-/// assert!(sh_kernels::shadow(4, 6).is_some_and(|wgsl| wgsl.contains("sh6_exp_saturating")));
+/// assert!(sh_kernels::shadow(4, 6).is_some_and(|wgsl| wgsl.contains("sh6_transfer")));
 /// assert!(sh_kernels::shadow(4, 3).is_none());
 /// ```
 pub fn shadow(order: usize, accumulation: usize) -> Option<&'static str> {

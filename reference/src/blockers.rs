@@ -100,13 +100,24 @@ pub fn stacked(angle: f64, count: usize) -> Vec<Vec<Cap>> {
     vec![vec![Cap { axis, angle }; count]]
 }
 
-struct Numbers {
+pub(crate) struct Numbers {
     state: u64,
 }
 
 impl Numbers {
+    pub(crate) fn new(seed: u64) -> Self {
+        Self { state: seed }
+    }
+
+    /// Uniform on the sphere.
+    pub(crate) fn direction(&mut self) -> Vec3 {
+        let [x, y, z] = self.upper();
+        let below = self.between(0.0, 1.0) < 0.5;
+        [x, y, if below { -z } else { z }]
+    }
+
     /// Uniform in `from..to`.
-    fn between(&mut self, from: f64, to: f64) -> f64 {
+    pub(crate) fn between(&mut self, from: f64, to: f64) -> f64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.state;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -116,7 +127,7 @@ impl Numbers {
     }
 
     /// Uniform in `from..=to`.
-    fn whole(&mut self, from: usize, to: usize) -> usize {
+    pub(crate) fn whole(&mut self, from: usize, to: usize) -> usize {
         from + self.between(0.0, (to - from + 1) as f64) as usize
     }
 

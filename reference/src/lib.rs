@@ -24,6 +24,8 @@
 //! | [`visibility`] | the visibility past many spheres, the light that is left |
 //! | [`arcs`] | the same visibility, exact to rounding and fast, along the edges of the caps |
 //! | [`blockers`] | the random sets of caps that accuracy is measured on |
+//! | [`shaded`] | such sets above a horizon, and what they do to light |
+//! | [`horizon`] | what a receiver sees of a sphere that its horizon cuts |
 //! | [`raycast`] | the visibility past triangles, one ray at a time |
 //! | [`paths`] | all light of a scene: shadows and diffuse bounces, path by path |
 //! | [`spheres`] | the volume of spheres outside a mesh; sphere sets made in simpler ways |
@@ -51,6 +53,7 @@ pub mod blockers;
 pub mod cap;
 pub mod environment;
 pub mod exp;
+pub mod horizon;
 pub mod lens;
 pub mod log;
 pub mod paths;
@@ -60,6 +63,7 @@ pub mod raycast;
 pub mod rotation;
 pub mod sampled;
 pub mod scipy;
+pub mod shaded;
 pub mod spheres;
 pub mod visibility;
 pub mod zonal;

@@ -46,6 +46,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             material: part.material.clone(),
             transform: Affine3A::IDENTITY,
             spheres: if i == 0 { grown.clone() } else { Vec::new() },
+            weights: Vec::new(),
+            part_of: None,
             surface: if i == 0 {
                 surface.clone()
             } else {

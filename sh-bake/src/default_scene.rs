@@ -2,8 +2,9 @@
 
 use crate::load::{FitReport, Progress, Report, fit_all};
 use crate::shapes;
-use crate::{Cache, Choices, surface};
+use crate::{Cache, Choices, surface, weights};
 use glam::{Affine3A, Quat, Vec3};
+use sh_scene::motion::Motion;
 use sh_scene::{Camera, Ground, Material, Mesh, Object, Scene, Settings, Sky, SurfaceSamples};
 use std::f32::consts::{FRAC_PI_2, TAU};
 use std::time::Instant;
@@ -64,6 +65,8 @@ pub fn default_scene_with(
             },
             transform: Affine3A::from_quat(turn),
             spheres: fitted.set.spheres,
+            weights: Vec::new(),
+            part_of: None,
             surface: SurfaceSamples::default(),
         };
         let lowest = object.bounds().map_or(0.0, |[low, _]| low.y);
@@ -76,7 +79,8 @@ pub fn default_scene_with(
         report.surfaces = surface::sample(&mut objects, &bodies, cache, progress);
         report.surface_time = start.elapsed();
     }
-    let scene = Scene {
+    let whole: Vec<_> = (0..objects.len()).map(|i| i..i + 1).collect();
+    let mut scene = Scene {
         objects,
         environment,
         lights: Vec::new(),
@@ -91,6 +95,10 @@ pub fn default_scene_with(
         },
         settings: Settings::default(),
     };
+    let start = Instant::now();
+    let mut still = Motion::default();
+    report.weights = weights::weigh(&mut scene, &mut still, &whole, cache, progress);
+    report.weight_time = start.elapsed();
     (scene, report)
 }
 

@@ -106,6 +106,7 @@ mod scene_file;
 pub mod shapes;
 mod spheres;
 mod surface;
+mod weights;
 
 pub use cache::Cache;
 pub use choices::Choices;
@@ -117,6 +118,7 @@ pub use mesh::{Figure, Model, Part, load_mesh};
 pub use motion::{ClipChoice, bind_spheres, grow_spheres};
 pub use spheres::{SphereSet, is_closed};
 pub use surface::{SurfaceReport, bake_surface};
+pub use weights::{WeightReport, weights, weights_by};
 
 /// The albedo of a mesh that has none: a light grey.
 const WHITE: [f32; 3] = [0.8; 3];

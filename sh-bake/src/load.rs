@@ -5,7 +5,10 @@ use crate::mesh::{Model, load_mesh};
 use crate::motion::{self, ClipChoice, Rigs};
 use crate::objects::ObjectEntry;
 use crate::scene_file::SceneFile;
-use crate::{Cache, Choices, SphereSet, SurfaceReport, is_closed, load_environment, surface};
+use crate::{
+    Cache, Choices, SphereSet, SurfaceReport, WeightReport, is_closed, load_environment, surface,
+    weights,
+};
 use glam::Vec3;
 use rayon::prelude::*;
 use sh_scene::motion::Motion;
@@ -34,6 +37,8 @@ pub struct Report {
     pub warnings: Vec<String>,
     /// The mesh files with their sphere sets, each mesh with the same count once.
     pub fits: Vec<FitReport>,
+    /// The weights of each body's spheres.
+    pub weights: Vec<WeightReport>,
     /// The surface samples of each body; empty where the scene has no indirect light.
     pub surfaces: Vec<SurfaceReport>,
     /// What moves: sentences.
@@ -42,6 +47,8 @@ pub struct Report {
     pub read_time: Duration,
     /// Time for fitting all sphere sets.
     pub fit_time: Duration,
+    /// Time for finding all weights.
+    pub weight_time: Duration,
     /// Time for sampling all surfaces.
     pub surface_time: Duration,
 }
@@ -197,7 +204,7 @@ pub fn load_scene_with<'a>(
             motion.add_rig(first, Arc::clone(&moving.rig));
             set = &moving.set;
         }
-        objects.extend(bodies(entry, model, set));
+        objects.extend(bodies(entry, model, set, first));
         whole.push(first..objects.len());
         if let Some(keys) = &entry.keys {
             let (name, seconds) = (file_name(mesh), keys.duration());
@@ -228,14 +235,16 @@ pub fn load_scene_with<'a>(
     };
     let lights = file.lights.iter().map(|light| light.bound(&whole));
     let lights = lights.collect();
-    Ok(assemble(
-        &file,
-        objects,
-        lights,
-        environment,
+    let mut loaded = assemble(&file, objects, lights, environment, motion, report);
+    let Loaded {
+        scene,
         motion,
         report,
-    ))
+    } = &mut loaded;
+    let start = Instant::now();
+    report.weights = weights::weigh(scene, motion, &whole, cache, progress);
+    report.weight_time = start.elapsed();
+    Ok(loaded)
 }
 
 /// A sphere set and how it came about.
@@ -319,8 +328,9 @@ pub(crate) fn file_name(path: &Path) -> String {
     )
 }
 
-/// One object of the file as bodies: one for each of its parts. The first carries the spheres of all.
-fn bodies(entry: &ObjectEntry, model: &Model, set: &SphereSet) -> Vec<Object> {
+/// One object of the file as bodies: one for each of its parts. The `first`, as the scene counts them, carries the spheres
+/// of all.
+fn bodies(entry: &ObjectEntry, model: &Model, set: &SphereSet, first: usize) -> Vec<Object> {
     let transform = entry.place.into();
     let file = file_name(&entry.mesh);
     let body = |(i, part): (usize, &crate::Part)| {
@@ -342,6 +352,8 @@ fn bodies(entry: &ObjectEntry, model: &Model, set: &SphereSet) -> Vec<Object> {
             material,
             transform,
             spheres,
+            weights: Vec::new(),
+            part_of: (i > 0).then_some(first),
             surface: SurfaceSamples::default(),
         }
     };

@@ -27,8 +27,9 @@ pub(crate) struct ClipName {
     pub(crate) line: usize,
 }
 
-/// Spheres for an object that does not say how many.
-const SPHERES: usize = 64;
+/// Spheres for an object that does not say how many: with weights more gain little at the default order, and cost a frame as
+/// much again (docs/SPHERES.md).
+const SPHERES: usize = 32;
 
 impl ObjectEntry {
     /// A mesh of which nothing else is said.

@@ -250,7 +250,7 @@ mod tests {
     fn the_smallest_scene_has_a_sensible_rest() {
         let scene = parse("[[objects]]\nmesh = \"a.obj\"\n").unwrap();
         assert_eq!(scene.objects[0].mesh, Path::new("dir/a.obj"));
-        assert_eq!(scene.objects[0].spheres, 64);
+        assert_eq!(scene.objects[0].spheres, 32);
         assert_eq!(scene.settings, Settings::default());
         assert!(scene.ground && scene.map.is_none());
     }

@@ -43,12 +43,20 @@ impl Folder {
         Cache::at(self.0.join("cache"))
     }
 
-    /// The files of the cache.
+    /// The sets in the cache.
     fn kept(&self) -> Vec<PathBuf> {
+        self.files("spheres")
+    }
+
+    /// The files of the cache with an ending.
+    fn files(&self, ending: &str) -> Vec<PathBuf> {
         let entries = std::fs::read_dir(self.0.join("cache"))
             .into_iter()
             .flatten();
-        entries.map(|entry| entry.unwrap().path()).collect()
+        let paths = entries.map(|entry| entry.unwrap().path());
+        paths
+            .filter(|path| path.extension().is_some_and(|e| e == ending))
+            .collect()
     }
 }
 
@@ -73,6 +81,18 @@ fn a_set_is_found_again_bit_by_bit() {
     let second = load(&scene, Some(&cache));
     let cached = [&without, &first, &second].map(|loaded| loaded.report.fits[0].cached);
     assert_eq!(cached, [false, false, true]);
+    assert_eq!(folder.files("weights").len(), 1);
+    let cached = [&without, &first, &second].map(|loaded| loaded.report.weights[0].cached);
+    assert_eq!(cached, [false, false, true]);
+    // Weights that are damaged are found anew.
+    std::fs::write(&folder.files("weights")[0], b"gaunt weights 1\nnone").unwrap();
+    let third = load(&scene, Some(&cache));
+    assert!(!third.report.weights[0].cached);
+    for loaded in [&first, &second, &third] {
+        let weights = |loaded: &Loaded| loaded.scene.objects[0].weights.clone();
+        assert_eq!(weights(loaded), weights(&without));
+        assert_eq!(weights(loaded).len(), loaded.scene.objects[0].spheres.len());
+    }
     for loaded in [&first, &second] {
         assert_eq!(
             loaded.scene.objects[0].spheres,
@@ -125,6 +145,7 @@ fn a_damaged_file_is_as_good_as_none_and_is_replaced() {
     }
     assert!(load(&scene, Some(&cache)).report.fits[0].cached);
     assert_eq!(folder.kept().len(), 1, "nothing is left behind");
+    assert!(folder.files("part").is_empty(), "nothing is left behind");
 }
 
 #[test]

@@ -83,6 +83,8 @@ where
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fit {
+    /// [`Routines::transfer`]; the fit of [`Routines::cap_log_shading`].
+    Shading,
     /// [`Routines::exp_saturating`]; the fit of [`Routines::cap_log_saturating`].
     Saturating,
     /// [`Routines::exp_sampled`].
@@ -152,6 +154,7 @@ mod tests {
     fn fits_are_in_the_order_of_the_tables() {
         let names = generated::CAP_LOG_FITS_4.map(|(name, _)| name);
         for (fit, name) in [
+            (Fit::Shading, "shading"),
             (Fit::Saturating, "saturating"),
             (Fit::Sampled, "sampled"),
             (Fit::SampledCoarse, "sampled_coarse"),

@@ -65,6 +65,7 @@ pub mod log;
 pub mod project;
 mod real;
 mod rgb;
+pub mod seen;
 pub mod storage;
 mod vector;
 

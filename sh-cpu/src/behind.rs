@@ -8,11 +8,12 @@
 //!
 //! A node of the cut that reaches around a lamp is looked into: its leaves count one by one.
 
-use crate::accumulate::{Blockers, Seen, dot, each};
+use crate::accumulate::{Blockers, Point, dot, each, look};
+use crate::cut::is_far;
 use glam::Vec3;
 use sh_core::{Lane, Routines};
 use sh_scene::order::{Ball, LAMPS, Pair, is_clear};
-use sh_scene::{Blocker, Bounds, Emitter, Forest, Side, Sphere};
+use sh_scene::{Blocker, Bounds, Emitter, Forest, Side};
 
 /// What a cluster's lamps are not hidden by.
 #[derive(Clone, Debug, Default)]
@@ -153,13 +154,13 @@ impl Behind {
                 continue;
             }
             let side = bounds.side(leaf.center.into(), leaf.radius);
-            let blocker = Blocker::new(Sphere {
-                center: leaf.center,
-                radius: leaf.radius,
-            });
+            let blocker = Blocker::of(leaf);
             match side {
                 Side::Behind => {}
-                side => self.take_away(lamp, blocker, side == Side::Front, 1.0, bounds),
+                side => {
+                    let in_front = side == Side::Front && is_far(leaf, bounds);
+                    self.take_away(lamp, blocker, in_front, 1.0, bounds);
+                }
             }
         }
     }
@@ -232,19 +233,19 @@ fn is_aside(lamp: &Ball, blocker: &Ball, bounds: &Bounds) -> bool {
 #[inline(always)]
 pub(crate) fn parted<L: Lane, const C: usize>(
     sum: &[L; C],
-    position: [L; 3],
-    normal: [L; 3],
+    point: &Point<L>,
     emitter: &Emitter,
     changes: &[Change],
 ) -> [L; C]
 where
     [L; C]: Routines<L>,
+    [L; 4]: Routines<L>,
 {
-    let (zero, one) = (position[0].lift(0.0), position[0].lift(1.0));
+    let (zero, one) = (point.object.lift(0.0), point.object.lift(1.0));
     let from = |center: &[f32; 3]| {
         each(
             #[inline(always)]
-            |k| zero.lift(f64::from(center[k])) - position[k],
+            |k| zero.lift(f64::from(center[k])) - point.position[k],
         )
     };
     let power = |away: [L; 3], radius: f32| {
@@ -261,7 +262,7 @@ where
     let mut sum = *sum;
     for change in changes {
         let blocker = &change.blocker;
-        let seen = Seen::of(blocker, change.in_front, position, normal);
+        let seen = look(blocker, change.in_front, point);
         if !L::any(zero.lt(seen.sine)) {
             continue;
         }

@@ -9,7 +9,7 @@ use crate::accumulate::Blockers;
 use crate::behind::Behind;
 use crate::drive::MAX_ORDER;
 use crate::horizon::is_below;
-use crate::ratio::{Detail, Ratios};
+use crate::ratio::{Detail, Logs, Ratios};
 use glam::Vec3;
 use rayon::prelude::*;
 use sh_scene::order::LAMPS;
@@ -85,7 +85,7 @@ impl Cuts {
     /// # Panics
     /// If the order of accumulation is not 2 to 6.
     pub fn find(&mut self, path: Path, forest: &Forest, light: &Light, options: CutOptions) {
-        self.find_with(path, forest, options, options.limits.sin_max > 0.0);
+        self.find_with(path, forest, options, Logs::Shading);
         self.part(light, forest);
     }
 
@@ -95,17 +95,17 @@ impl Cuts {
     /// # Panics
     /// As [`find`](Self::find).
     pub fn find_all(&mut self, path: Path, forest: &Forest, options: CutOptions) {
-        self.find_with(path, forest, options, false);
+        self.find_with(path, forest, options, Logs::Saturating);
     }
 
-    fn find_with(&mut self, path: Path, forest: &Forest, options: CutOptions, skip_small: bool) {
+    fn find_with(&mut self, path: Path, forest: &Forest, options: CutOptions, of: Logs) {
         assert!(
             (2..=MAX_ORDER).contains(&options.accumulation),
             "orders are 2 to 6"
         );
         self.cuts
             .par_iter_mut()
-            .for_each(|cut| cut.find(path, forest, options, skip_small));
+            .for_each(|cut| cut.find(path, forest, options, of));
     }
 
     /// Finds out which lamps are below the horizon of every receiver of a cluster that has been measured, so that nothing is
@@ -121,7 +121,7 @@ impl Cuts {
                 return;
             };
             for (i, emitter) in light.emitters.iter().enumerate().take(64) {
-                let dark = is_below(emitter, bounds, light.order);
+                let dark = is_below(emitter, bounds);
                 cut.dark |= u64::from(dark) << i;
             }
         });
@@ -173,9 +173,10 @@ impl Cuts {
     /// One cluster of so many receivers, with every sphere as a blocker that each receiver looks at itself, and every lamp
     /// of `light` by itself.
     pub fn everything(spheres: &[Sphere], receivers: usize, light: &Light) -> Self {
+        let finite = spheres.iter().copied().filter(Sphere::is_finite);
         let mut cut = Cut {
             front: Vec::new(),
-            across: spheres.iter().copied().map(Blocker::new).collect(),
+            across: finite.map(Blocker::new).collect(),
             receivers,
             ..Cut::default()
         };
@@ -232,7 +233,7 @@ impl Cuts {
 }
 
 impl Cut {
-    fn find(&mut self, path: Path, forest: &Forest, options: CutOptions, skip_small: bool) {
+    fn find(&mut self, path: Path, forest: &Forest, options: CutOptions, of: Logs) {
         let Self {
             front,
             across,
@@ -255,6 +256,8 @@ impl Cut {
         };
         let nodes = forest.nodes();
         let limits = options.limits;
+        let shading = of == Logs::Shading;
+        let skip_small = shading && limits.sin_max > 0.0;
         forest.cut(bounds.center, bounds.radius, limits, |at| {
             let node = &nodes[at];
             if skip_small && forest.is_negligible(at, bounds.center, bounds.radius) {
@@ -264,25 +267,40 @@ impl Cut {
             let side = bounds.side(node.center.into(), node.radius);
             let (list, names, in_front) = match side {
                 Side::Behind => return,
-                Side::Front => (&mut *front, &mut *nodes_front, true),
-                Side::Across => (&mut *across, &mut *nodes_across, false),
+                Side::Front if is_far(node, bounds) => (&mut *front, &mut *nodes_front, true),
+                _ => (&mut *across, &mut *nodes_across, false),
             };
             if !node.is_leaf(at) && options.ratios {
                 ratios.start(bounds.center, node, in_front, list.len());
-                details(bounds.center, nodes, at, limits.sin_min, ratios);
+                details(bounds.center, nodes, at, limits.sin_min, shading, ratios);
             }
             names.push(at as u32);
-            list.push(Blocker::new(Sphere {
-                center: node.center,
-                radius: node.radius,
-            }));
+            let mut blocker = Blocker::of(node);
+            if !(shading && node.is_leaf(at)) {
+                blocker.weights = [1.0; 6];
+            }
+            list.push(blocker);
         });
-        ratios.find(path, options.accumulation, front, across);
+        ratios.find(path, options.accumulation, of, front, across);
     }
 }
 
+/// Whether a node is so far from all receivers of a cluster that it counts as a whole even for those of its own body.
+pub(crate) fn is_far(node: &Node, bounds: &Bounds) -> bool {
+    let distance = Vec3::from(node.center).distance(bounds.center) - bounds.radius;
+    // sin² is at most 1 − OWN from there on, whatever rounding does.
+    distance * (0.99 * (1.0 - sh_core::seen::OWN as f32)).sqrt() >= node.radius
+}
+
 /// What is summed up for the node at `at`: leaves, and groups of them that are small.
-fn details(from: Vec3, nodes: &[Node], at: usize, sin_min: f32, ratios: &mut Ratios) {
+fn details(
+    from: Vec3,
+    nodes: &[Node],
+    at: usize,
+    sin_min: f32,
+    weighted: bool,
+    ratios: &mut Ratios,
+) {
     let end = nodes[at].skip as usize;
     let mut at = at + 1;
     while at < end {
@@ -293,6 +311,7 @@ fn details(from: Vec3, nodes: &[Node], at: usize, sin_min: f32, ratios: &mut Rat
             ratios.add(Detail {
                 towards: towards.into(),
                 radius: node.area.sqrt().min(node.radius),
+                weight: if weighted { node.weight } else { 1.0 },
             });
             at = node.skip as usize;
         } else {

@@ -8,6 +8,7 @@
 //! Chunks and groups lie at fixed places in their cluster, so the result does not depend on the number of threads.
 //! Nothing is allocated.
 
+use crate::accumulate::Point;
 use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
 use crate::outline::{Outline, OutlineAll};
 use crate::resolve::check_length;
@@ -36,8 +37,7 @@ pub(crate) trait Kernel: Sync {
     fn shade<L: Group + OutlineAll + Outline<C>, const C: usize>(
         &self,
         at: &Place<L>,
-        position: [L; 3],
-        normal: [L; 3],
+        point: &Point<L>,
         room: &mut Self::Room<L>,
     ) -> [L; 3]
     where
@@ -391,9 +391,17 @@ impl<K: Kernel> Job for Groups<'_, K> {
                     |i| held[i].normal[k],
                 )
             };
-            let position = [position(0), position(1), position(2)];
-            let normal = [normal(0), normal(1), normal(2)];
-            let [red, green, blue] = kernel.shade::<G, C>(&place, position, normal, &mut room);
+            let point = Point {
+                position: [position(0), position(1), position(2)],
+                normal: [normal(0), normal(1), normal(2)],
+                // Exact up to some million bodies.
+                object: G::gather(
+                    token,
+                    #[inline(always)]
+                    |i| held[i].object as f32,
+                ),
+            };
+            let [red, green, blue] = kernel.shade::<G, C>(&place, &point, &mut room);
             let (red, green, blue) = (red.store(), green.store(), blue.store());
             let (red, green, blue) = (red.as_ref(), green.as_ref(), blue.as_ref());
             for (i, radiance) in radiance.iter_mut().enumerate() {

@@ -5,10 +5,18 @@
 //! hand already, since the environment needs it: (L, H(N), g) = L · (g * H(N)). What is left of a light is a
 //! zonal vector in closed form, turned and dotted: exact, and cheaper than a look-up.
 //!
+//! A light without blockers is known to better than its few bands and their window say: what of the cap is above the
+//! horizon, weighted by the cosine ([`sh_core::seen`]). So SH vectors tell only which share of that blockers leave,
+//!
+//! ```text
+//! radiance = F (L · (g * H(N))) / (L · H(N))
+//! ```
+//! open ground is as bright as it is at every order, and what faces away from a light gets none.
+//!
 //! A ball that is not equally bright all over gives the mean radiance of what the receiver sees of it, as spheres do
 //! that send light on (Guerrero et al. 2008, equations 16 to 18 and section 7.3).
 
-use crate::accumulate::{dot, each};
+use crate::accumulate::{Point, dot, each};
 use crate::irradiance::reflected;
 use sh_core::{Lane, ROOT_FOUR_PI, Routines};
 use sh_scene::Emitter;
@@ -16,19 +24,40 @@ use sh_scene::Emitter;
 /// Below this distance a receiver is taken to be at a light's centre.
 const TINY: f64 = 1e-30;
 
-/// What [`crate::Outline::emitted`] computes, to be inlined there: for each light max(0, min(L · transfer,
-/// L · open)), so that what one light lacks is not taken from another. Bit i of `dark` says that light i gives 0.
+/// Which share a cap of an even sky's light is, weighted by the cosine with the normal, as far as it is above the horizon:
+/// sin² θ (N · s), or that of the cap in its place.
+#[inline(always)]
+fn share<L: Lane>(sine: L, facing: L) -> L
+where
+    [L; 4]: Routines<L>,
+{
+    let (zero, one, tiny) = (sine.lift(0.0), sine.lift(1.0), sine.lift(TINY));
+    // A sphere of this sine at the distance 1, and the one that touches the horizon in its place.
+    let counted = sine * <[L; 4]>::horizon_radius(facing / sine.max(tiny), sine * sine);
+    let along = (-facing).mul_add(facing, one).max(zero);
+    let part = counted / counted.mul_add(counted, along).sqrt().max(tiny);
+    let above = sine.lt(facing);
+    L::select(above, sine * sine * facing, part * part * part)
+}
+
+/// What [`crate::Outline::emitted`] computes, to be inlined there: for each light what it gives in the open, times
+/// L · transfer over L · open held within 0 and 1, so that what one light lacks is not taken from another. Bit i of `dark`
+/// says that light i gives 0.
 #[inline(always)]
 pub(crate) fn emitted<L: Lane, const C: usize>(
     transfer: &[L; C],
     open: &[L; C],
-    position: [L; 3],
+    point: &Point<L>,
     emitters: &[Emitter],
     dark: u64,
 ) -> [L; 3]
 where
     [L; C]: Routines<L>,
+    [L; 4]: Routines<L>,
 {
+    let Point {
+        position, normal, ..
+    } = *point;
     let zero = position[0].lift(0.0);
     let one = zero.lift(1.0);
     let mut sum = [zero; 3];
@@ -55,9 +84,11 @@ where
             },
         );
         let light = <[L; C]>::zonal(zonal, direction);
-        let lit = light.dot(transfer).min(light.dot(open));
+        let shown = share(sine, dot(direction, normal));
         // What is not a number fails the comparison.
-        let lit = L::select(zero.lt(lit), lit, zero);
+        let (lit, all) = (light.dot(transfer), light.dot(open));
+        let lit = L::select(zero.lt(lit), lit.min(all), zero);
+        let lit = L::select(zero.lt(all), shown * (lit / all), zero);
         let mut radiance = emitter.radiance.map(
             #[inline(always)]
             |c| zero.lift(f64::from(c)),

@@ -94,7 +94,7 @@ const NOTHING: Receiver = Receiver {
     position: [0.0; 3],
     covered: 0,
     normal: [0.0, 1.0, 0.0],
-    object: u32::MAX,
+    object: 0,
 };
 
 /// What a ray from the eye hits: a mesh, or the ground from above.
@@ -112,7 +112,7 @@ fn look(geometry: &Geometry, eye: Vec3A, direction: Vec3A) -> Option<(Receiver, 
             position: position.into(),
             covered: 1,
             normal: [0.0, 1.0, 0.0],
-            object: u32::MAX,
+            object: 0,
         };
         return Some((receiver, ground.albedo.into()));
     }
@@ -128,7 +128,7 @@ fn look(geometry: &Geometry, eye: Vec3A, direction: Vec3A) -> Option<(Receiver, 
         position: hit.position.into(),
         covered: 1,
         normal: hit.normal.into(),
-        object: hit.object,
+        object: geometry.scene.body(hit.object as usize),
     };
     Some((receiver, albedo))
 }

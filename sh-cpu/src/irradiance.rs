@@ -1,5 +1,6 @@
 //! The irradiance pass: light that nothing blocks.
 
+use crate::accumulate::Point;
 use crate::drive::{Group, Kernel, Place, Work, check_light, drive};
 use crate::outline::{Outline, OutlineAll};
 use crate::shadow::with_emitters;
@@ -62,16 +63,15 @@ impl Kernel for Unblocked<'_> {
     fn shade<L: Group + OutlineAll + Outline<C>, const C: usize>(
         &self,
         _: &Place<L>,
-        position: [L; 3],
-        normal: [L; 3],
+        point: &Point<L>,
         (): &mut (),
     ) -> [L; 3]
     where
         [L; C]: Routines<L>,
     {
-        let lobe = <[L; C]>::cosine(normal);
+        let lobe = <[L; C]>::cosine(point.normal);
         let environment = unblocked(&lobe, &self.light.coefficients);
-        with_emitters(environment, &lobe, &lobe, position, (self.light, 0))
+        with_emitters(environment, &lobe, &lobe, point, (self.light, 0))
     }
 }
 

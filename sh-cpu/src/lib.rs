@@ -51,7 +51,7 @@ mod resolve;
 mod shadow;
 mod upsample;
 
-pub use accumulate::Blockers;
+pub use accumulate::{Blockers, Point};
 pub use cut::{CutOptions, Cuts};
 pub use error::{Error, MAX_SIDE};
 pub use frame::{Frame, Frames, Work, render};

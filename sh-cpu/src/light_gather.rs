@@ -20,12 +20,13 @@ mod sums;
 pub(crate) use discs::{Disc, KEPT, discs};
 pub(crate) use sums::sums;
 
-use crate::accumulate::{Seen, dot, each};
+use crate::accumulate::{Point, dot, each, look};
 use crate::drive::{Group, Kernel, Place, Work, drive};
 use crate::irradiance::reflected;
 use crate::light_cut::Met;
 use crate::outline::{Outline, OutlineAll};
 use crate::{Error, LightCuts, Path, SphericalLights};
+use sh_core::seen::Seen;
 use sh_core::{Lane, Routines};
 use sh_scene::{Blocking, Receiver};
 use std::ops::Range;
@@ -81,8 +82,7 @@ impl Kernel for LightGather<'_> {
     fn shade<L: Group + OutlineAll + Outline<C>, const C: usize>(
         &self,
         place: &Place<L>,
-        position: [L; 3],
-        normal: [L; 3],
+        point: &Point<L>,
         kept: &mut [Disc<L>; KEPT],
     ) -> [L; 3]
     where
@@ -90,10 +90,8 @@ impl Kernel for LightGather<'_> {
     {
         let cut = self.cuts.of(place.cluster);
         match self.cuts.blocking() {
-            Blocking::Discs => {
-                <L as Outline<C>>::gathered_discs(position, normal, cut, self.lights, kept)
-            }
-            _ => <L as Outline<C>>::gathered_sums(position, normal, cut, self.lights),
+            Blocking::Discs => <L as Outline<C>>::gathered_discs(point, cut, self.lights, kept),
+            _ => <L as Outline<C>>::gathered_sums(point, cut, self.lights),
         }
     }
 }
@@ -101,36 +99,37 @@ impl Kernel for LightGather<'_> {
 /// Receivers that light comes to.
 #[derive(Clone, Copy)]
 struct At<'a, L> {
-    position: [L; 3],
-    normal: [L; 3],
+    point: Point<L>,
     lights: &'a SphericalLights,
     sum: [L; 3],
 }
 
 impl<'a, L: Lane> At<'a, L> {
     #[inline(always)]
-    fn new(position: [L; 3], normal: [L; 3], lights: &'a SphericalLights) -> Self {
+    fn new(point: &Point<L>, lights: &'a SphericalLights) -> Self {
         Self {
-            position,
-            normal,
+            point: *point,
             lights,
-            sum: [position[0].lift(0.0); 3],
+            sum: [point.object.lift(0.0); 3],
         }
     }
 
     #[inline(always)]
-    fn look(&self, met: &Met) -> Seen<L> {
-        Seen::of(&met.blocker, met.in_front, self.position, self.normal)
+    fn look(&self, met: &Met) -> Seen<L>
+    where
+        [L; 4]: Routines<L>,
+    {
+        look(&met.blocker, met.in_front, &self.point)
     }
 
     /// |c − p|² − r².
     #[inline(always)]
     fn power(&self, met: &Met) -> L {
         let (center, radius) = (met.blocker.center, f64::from(met.blocker.radius));
-        let zero = self.position[0].lift(0.0);
+        let zero = self.point.object.lift(0.0);
         let away = each(
             #[inline(always)]
-            |k| zero.lift(f64::from(center[k])) - self.position[k],
+            |k| zero.lift(f64::from(center[k])) - self.point.position[k],
         );
         dot(away, away) - zero.lift(radius * radius)
     }
@@ -164,7 +163,7 @@ impl<'a, L: Lane> At<'a, L> {
     /// What was added, between 0 and the brightest of all lights.
     #[inline(always)]
     fn bounded(&self) -> [L; 3] {
-        let zero = self.position[0].lift(0.0);
+        let zero = self.point.object.lift(0.0);
         let brightest = self.lights.brightest();
         each(
             #[inline(always)]

@@ -452,7 +452,7 @@ impl Points {
                         .into(),
                     covered: 1,
                     normal: (turn * Vec3::from(point.normal)).into(),
-                    object: object as u32,
+                    object: object as u32 + 1,
                 });
                 self.receivers.extend(points);
                 self.clusters.push(first..self.receivers.len());

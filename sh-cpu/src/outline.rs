@@ -7,13 +7,13 @@
 //! memory, which costs little beside the routine.
 
 use crate::SphericalLights;
-use crate::accumulate::{Blockers, accumulated};
+use crate::accumulate::{Blockers, Point, accumulated};
 use crate::behind::{Change, parted};
 use crate::emitters::emitted;
 use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
 use crate::light_cut::LightCut;
 use crate::light_gather::{Disc, KEPT, discs, sums};
-use crate::ratio::ratio_logs;
+use crate::ratio::{Logs, ratio_logs};
 use fearless_simd::Simd;
 use sh_core::{Lane, Routines};
 use sh_scene::Emitter;
@@ -25,58 +25,47 @@ where
     [Self; C]: Routines<Self>,
 {
     /// `sum`, on the scale of [`Routines::accumulate_blocker`], plus the log visibilities of all `blockers`.
-    fn accumulate(
-        sum: &[Self; C],
-        position: [Self; 3],
-        normal: [Self; 3],
-        blockers: Blockers,
-    ) -> [Self; C];
+    fn accumulate(sum: &[Self; C], point: &Point<Self>, blockers: Blockers) -> [Self; C];
 
     /// `sum`, on the same scale, as a lamp has it that some of the blockers are behind.
     fn parted(
         sum: &[Self; C],
-        position: [Self; 3],
-        normal: [Self; 3],
+        point: &Point<Self>,
         emitter: &Emitter,
         changes: &[Change],
     ) -> [Self; C];
 
-    /// F_l(θ) P_l(s · axis) of each band l, with F the cap logarithm of a ball of this radius and s the direction
+    /// F_l(θ) P_l(s · axis) of each band l, with F the logarithm `of` a ball of this radius and s the direction
     /// `towards` it; 0 beyond the order. Sums of it are ratio vectors.
-    fn ratio_logs(towards: [Self; 3], radius: Self, axis: [Self; 3]) -> [Self; 6];
+    fn ratio_logs(towards: [Self; 3], radius: Self, axis: [Self; 3], of: Logs) -> [Self; 6];
 
-    /// The visibility past all blockers of such a sum: [`Routines::exp_saturating`] of [`Routines::accumulated_log`].
+    /// The visibility past all blockers of a sum by [`Routines::accumulate_blocker_saturating`]: [`Routines::exp_saturating`]
+    /// of [`Routines::accumulated_log`].
     fn visibility(sum: &[Self; C]) -> [Self; C];
 
-    /// [`Routines::product_cosine`].
-    fn product_cosine(f: &[Self; C], normal: [Self; 3]) -> [Self; C];
+    /// The first `N` coefficients of [`Routines::transfer`] of [`Routines::accumulated_log`] of such a sum.
+    fn transfer<const N: usize>(sum: &[Self; C], normal: [Self; 3]) -> [Self; N];
 
     /// Radiance in three channels that `emitters` give through `transfer`, each between 0 and what it gives through
     /// `open`. Bit i of `dark` says that emitter i gives nothing.
     fn emitted(
         transfer: &[Self; C],
         open: &[Self; C],
-        position: [Self; 3],
+        point: &Point<Self>,
         emitters: &[Emitter],
         dark: u64,
     ) -> [Self; 3];
 
     /// Radiance in three channels that a cut's spheres send on, whose visibilities are those of discs.
     fn gathered_discs(
-        position: [Self; 3],
-        normal: [Self; 3],
+        point: &Point<Self>,
         cut: &LightCut,
         lights: &SphericalLights,
         kept: &mut [Disc<Self>; KEPT],
     ) -> [Self; 3];
 
     /// The same with visibilities that are differences of exponentials.
-    fn gathered_sums(
-        position: [Self; 3],
-        normal: [Self; 3],
-        cut: &LightCut,
-        lights: &SphericalLights,
-    ) -> [Self; 3];
+    fn gathered_sums(point: &Point<Self>, cut: &LightCut, lights: &SphericalLights) -> [Self; 3];
 }
 
 /// A lane type with [`Outline`] for orders 2 to 6.
@@ -87,40 +76,34 @@ impl<L> OutlineAll for L where L: Outline<4> + Outline<9> + Outline<16> + Outlin
 macro_rules! routines {
     ($c:literal, $inline:meta, $enter:expr) => {
         #[$inline]
-        fn accumulate(
-            sum: &[Self; $c],
-            position: [Self; 3],
-            normal: [Self; 3],
-            blockers: Blockers,
-        ) -> [Self; $c] {
+        fn accumulate(sum: &[Self; $c], point: &Point<Self>, blockers: Blockers) -> [Self; $c] {
             $enter(
-                position[0],
+                point.object,
                 #[inline(always)]
-                || accumulated(sum, position, normal, blockers),
+                || accumulated(sum, point, blockers),
             )
         }
 
         #[$inline]
         fn parted(
             sum: &[Self; $c],
-            position: [Self; 3],
-            normal: [Self; 3],
+            point: &Point<Self>,
             emitter: &Emitter,
             changes: &[Change],
         ) -> [Self; $c] {
             $enter(
-                position[0],
+                point.object,
                 #[inline(always)]
-                || parted(sum, position, normal, emitter, changes),
+                || parted(sum, point, emitter, changes),
             )
         }
 
         #[$inline]
-        fn ratio_logs(towards: [Self; 3], radius: Self, axis: [Self; 3]) -> [Self; 6] {
+        fn ratio_logs(towards: [Self; 3], radius: Self, axis: [Self; 3], of: Logs) -> [Self; 6] {
             $enter(
                 radius,
                 #[inline(always)]
-                || ratio_logs::<Self, $c>(towards, radius, axis),
+                || ratio_logs::<Self, $c>(towards, radius, axis, of),
             )
         }
 
@@ -134,11 +117,11 @@ macro_rules! routines {
         }
 
         #[$inline]
-        fn product_cosine(f: &[Self; $c], normal: [Self; 3]) -> [Self; $c] {
+        fn transfer<const N: usize>(sum: &[Self; $c], normal: [Self; 3]) -> [Self; N] {
             $enter(
-                f[0],
+                sum[0],
                 #[inline(always)]
-                || Routines::product_cosine(f, normal),
+                || first(&sum.accumulated_log().transfer(normal)),
             )
         }
 
@@ -146,46 +129,54 @@ macro_rules! routines {
         fn emitted(
             transfer: &[Self; $c],
             open: &[Self; $c],
-            position: [Self; 3],
+            point: &Point<Self>,
             emitters: &[Emitter],
             dark: u64,
         ) -> [Self; 3] {
             $enter(
-                position[0],
+                point.object,
                 #[inline(always)]
-                || emitted(transfer, open, position, emitters, dark),
+                || emitted(transfer, open, point, emitters, dark),
             )
         }
 
         #[$inline]
         fn gathered_discs(
-            position: [Self; 3],
-            normal: [Self; 3],
+            point: &Point<Self>,
             cut: &LightCut,
             lights: &SphericalLights,
             kept: &mut [Disc<Self>; KEPT],
         ) -> [Self; 3] {
             $enter(
-                position[0],
+                point.object,
                 #[inline(always)]
-                || discs::<Self, $c>(position, normal, cut, lights, kept),
+                || discs::<Self, $c>(point, cut, lights, kept),
             )
         }
 
         #[$inline]
         fn gathered_sums(
-            position: [Self; 3],
-            normal: [Self; 3],
+            point: &Point<Self>,
             cut: &LightCut,
             lights: &SphericalLights,
         ) -> [Self; 3] {
             $enter(
-                position[0],
+                point.object,
                 #[inline(always)]
-                || sums::<Self, $c>(position, normal, cut, lights),
+                || sums::<Self, $c>(point, cut, lights),
             )
         }
     };
+}
+
+/// The first of many; what is not among them is not computed, once this is inlined.
+#[inline(always)]
+fn first<L: Lane, const C: usize, const N: usize>(all: &[L; C]) -> [L; N] {
+    let mut some = [all[0].lift(0.0); N];
+    for (some, all) in some.iter_mut().zip(all) {
+        *some = *all;
+    }
+    some
 }
 
 /// Calls `work` as it is.

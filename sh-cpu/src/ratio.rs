@@ -19,6 +19,15 @@ use glam::Vec3;
 use sh_core::Routines;
 use sh_scene::{Blocker, Node};
 
+/// Which logarithm of a circle's visibility is summed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Logs {
+    /// [`Routines::cap_log_shading`], with the spheres' weights: for shadows.
+    Shading,
+    /// [`Routines::cap_log_saturating`], without: for what spheres send on.
+    Saturating,
+}
+
 /// A ball as the middle of the cluster sees it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Detail {
@@ -26,6 +35,8 @@ pub(crate) struct Detail {
     pub(crate) towards: [f32; 3],
     /// Its radius, in metres.
     pub(crate) radius: f32,
+    /// What its logarithm is multiplied with.
+    pub(crate) weight: f32,
 }
 
 /// A detail, and the direction s_b of the node that it is a part of.
@@ -73,6 +84,7 @@ impl Ratios {
             detail: Detail {
                 towards: towards.into(),
                 radius: node.radius,
+                weight: 1.0,
             },
             axis: towards.normalize_or_zero().into(),
         });
@@ -92,6 +104,7 @@ impl Ratios {
         &mut self,
         path: Path,
         accumulation: usize,
+        of: Logs,
         front: &mut [Blocker],
         across: &mut [Blocker],
     ) {
@@ -99,7 +112,8 @@ impl Ratios {
             return;
         }
         self.logs.resize(self.entries.len(), [0.0; 8]);
-        let job = Logs {
+        let job = Bands {
+            of,
             entries: &self.entries,
             logs: &mut self.logs,
         };
@@ -114,9 +128,10 @@ impl Ratios {
         let ends = ends.chain([self.entries.len()]);
         for (owner, end) in self.owners.iter().zip(ends) {
             let mut sum = [0.0; 8];
-            for log in &self.logs[owner.first + 1..end] {
+            let below = owner.first + 1..end;
+            for (log, entry) in self.logs[below.clone()].iter().zip(&self.entries[below]) {
                 for (sum, log) in sum.iter_mut().zip(log) {
-                    *sum += log;
+                    *sum += entry.detail.weight * log;
                 }
             }
             let own = &self.logs[owner.first];
@@ -135,18 +150,19 @@ impl Ratios {
 }
 
 /// The entries' logarithms, in lanes.
-struct Logs<'a> {
+struct Bands<'a> {
+    of: Logs,
     entries: &'a [Entry],
     logs: &'a mut [[f32; 8]],
 }
 
-impl Job for Logs<'_> {
+impl Job for Bands<'_> {
     #[inline(always)]
     fn run<G: Group + OutlineAll + Outline<C>, const C: usize>(self, token: G::Token)
     where
         [G; C]: Routines<G>,
     {
-        let Self { entries, logs } = self;
+        let Self { of, entries, logs } = self;
         for (entries, logs) in entries.chunks(G::COUNT).zip(logs.chunks_mut(G::COUNT)) {
             let last = entries.len() - 1;
             let held = G::each(
@@ -175,7 +191,7 @@ impl Job for Logs<'_> {
                 #[inline(always)]
                 |i| held[i].detail.radius,
             );
-            let bands = G::ratio_logs(towards, radius, axis);
+            let bands = G::ratio_logs(towards, radius, axis, of);
             for (l, band) in bands.iter().enumerate().take(<[G; C]>::ORDER) {
                 let band = band.store();
                 for (log, value) in logs.iter_mut().zip(band.as_ref()) {
@@ -193,6 +209,7 @@ pub(crate) fn ratio_logs<L: sh_core::Lane, const C: usize>(
     towards: [L; 3],
     radius: L,
     axis: [L; 3],
+    of: Logs,
 ) -> [L; 6]
 where
     [L; C]: Routines<L>,
@@ -201,7 +218,10 @@ where
     let inverse = one / dot(towards, towards).sqrt().max(radius.lift(1e-30));
     let sine = (radius * inverse).min(one);
     let cosine = (-sine).mul_add(sine, one).max(zero).sqrt();
-    let log = <[L; C]>::cap_log_saturating(sine, cosine);
+    let log = match of {
+        Logs::Shading => <[L; C]>::cap_log_shading(sine, cosine),
+        Logs::Saturating => <[L; C]>::cap_log_saturating(sine, cosine),
+    };
     let x = (dot(towards, axis) * inverse).min(one).max(-one);
     let (mut before, mut now) = (zero, one);
     let mut out = [zero; 6];

@@ -2,18 +2,17 @@
 //! "Real-time soft shadows in dynamic scenes using spherical harmonic exponentiation").
 //!
 //! For a receiver at p with normal N, with one blocker of its cluster's cut after another:
-//! 1. the self-shadow rule says which sphere counts in its place,
+//! 1. the rule of [`sh_core::seen`] says what of the sphere is above its horizon,
 //! 2. the logarithm of that sphere's visibility, a zonal function of its angular radius, is turned towards it
 //!    and added with the blocker's ratio vector: f += W F(θ) y(s) (equation 38).
 //!
-//! Then g = exp(f) (section 4, by [`Routines::exp_saturating`]) is the visibility of all blockers together, and
-//! a channel's radiance is the triple product of light, cosine lobe and visibility,
-//! (L, H(N), g) = L · (g * H(N)), held between 0 and the radiance without blockers, for the environment and each
-//! analytic light apart.
+//! Then g = exp(f) (section 4) is the visibility of all blockers together, and a channel's radiance is the triple product
+//! of light, cosine lobe and visibility, (L, H(N), g) = L · (g * H(N)), held between 0 and the radiance without blockers,
+//! for the environment and each analytic light apart. Exponential and lobe are multiplied at samples and projected once:
+//! the transfer g * H(N) by [`Routines::transfer`].
 //!
-//! Steps 1 and 2 and the exponential may be of a higher order than the light, the order of accumulation: of
-//! the visibility that they give, the bands that the light has are more accurate than those of a sum that
-//! was cut off before the exponential, which couples all bands.
+//! Steps 1 and 2 and the exponential may be of a higher order than the light, the order of accumulation. All of that
+//! visibility is used: the lobe couples the light's bands with those of the visibility above them.
 //!
 //! A lamp is hidden by what is before it. Where a cluster may have a blocker behind one, the lamp has a sum of its own,
 //! and with it a visibility of its own.
@@ -22,7 +21,7 @@
 //! logarithm. The paper keeps their visibility instead, and needs a general product to put them together with what
 //! moves; a logarithm needs none, and gives what all blockers together would have given. They hide lamps wherever they are.
 
-use crate::accumulate::Blockers;
+use crate::accumulate::{Blockers, Point};
 use crate::behind::Behind;
 use crate::drive::{Group, Kernel, MAX_ORDER, Place, Work, check_light, drive};
 use crate::irradiance::{reflected, unblocked};
@@ -157,11 +156,12 @@ pub fn bake(
         f32: Outline<A>,
         [f32; A]: Routines<f32>,
     {
-        let none = [0.0; A];
-        let Receiver {
-            position, normal, ..
-        } = *receiver;
-        sum.copy_from_slice(&f32::accumulate(&none, position, normal, blockers));
+        let point = Point {
+            position: receiver.position,
+            normal: receiver.normal,
+            object: receiver.object as f32,
+        };
+        sum.copy_from_slice(&f32::accumulate(&[0.0; A], &point, blockers));
     }
     let log = match accumulation {
         2 => log::<4>,
@@ -202,8 +202,7 @@ impl Kernel for Shadow<'_> {
     fn shade<L: Group + OutlineAll + Outline<C>, const C: usize>(
         &self,
         place: &Place<L>,
-        position: [L; 3],
-        normal: [L; 3],
+        point: &Point<L>,
         (): &mut (),
     ) -> [L; 3]
     where
@@ -214,14 +213,7 @@ impl Kernel for Shadow<'_> {
             move |i: usize| place.gather(|receiver| baked[receiver * coefficients + i])
         });
         let blockers = (self.cuts, place.cluster);
-        shade::<L, C>(
-            position,
-            normal,
-            blockers,
-            self.light,
-            self.accumulation,
-            start,
-        )
+        shade::<L, C>(point, blockers, self.light, self.accumulation, start)
     }
 }
 
@@ -236,8 +228,7 @@ struct Lamps<'a> {
 /// `accumulation` as in [`Shadow`]. `start` tells the coefficients that the sum of logarithms starts with; none: 0.
 #[inline(always)]
 pub fn shade<L: OutlineAll + Outline<C>, const C: usize>(
-    position: [L; 3],
-    normal: [L; 3],
+    point: &Point<L>,
     (cuts, cluster): (&Cuts, usize),
     light: &Light,
     accumulation: usize,
@@ -246,40 +237,37 @@ pub fn shade<L: OutlineAll + Outline<C>, const C: usize>(
 where
     [L; C]: Routines<L>,
 {
-    let zero = position[0].lift(0.0);
+    let zero = point.object.lift(0.0);
     let blockers = cuts.of(cluster);
     let lamps = Lamps {
         light,
         behind: cuts.behind(cluster),
     };
     let done = cuts.dark(cluster) | lamps.behind.lamps();
-    let mut visibility = [zero; C];
-    let lobe = <[L; C]>::cosine(normal);
+    let mut transfer = [zero; C];
+    let lobe = <[L; C]>::cosine(point.normal);
     // What lamps give that are before some of the blockers.
     let mut before = [zero; 3];
-    let place = (position, normal);
-    let mut add = |lamp: usize, visibility: &[L; C]| {
-        let transfer = <L as Outline<C>>::product_cosine(visibility, normal);
+    let mut add = |lamp: usize, transfer: &[L; C]| {
         let emitter = std::slice::from_ref(&lamps.light.emitters[lamp]);
-        let given = L::emitted(&transfer, &lobe, position, emitter, 0);
+        let given = L::emitted(transfer, &lobe, point, emitter, 0);
         for (sum, given) in before.iter_mut().zip(given) {
             *sum = *sum + given;
         }
     };
     match accumulation {
-        2 => lower_bands::<L, 4, C>(place, blockers, start, &mut visibility, lamps, &mut add),
-        3 => lower_bands::<L, 9, C>(place, blockers, start, &mut visibility, lamps, &mut add),
-        4 => lower_bands::<L, 16, C>(place, blockers, start, &mut visibility, lamps, &mut add),
-        5 => lower_bands::<L, 25, C>(place, blockers, start, &mut visibility, lamps, &mut add),
-        _ => lower_bands::<L, 36, C>(place, blockers, start, &mut visibility, lamps, &mut add),
+        2 => accumulated::<L, 4, C>(point, blockers, start, &mut transfer, lamps, &mut add),
+        3 => accumulated::<L, 9, C>(point, blockers, start, &mut transfer, lamps, &mut add),
+        4 => accumulated::<L, 16, C>(point, blockers, start, &mut transfer, lamps, &mut add),
+        5 => accumulated::<L, 25, C>(point, blockers, start, &mut transfer, lamps, &mut add),
+        _ => accumulated::<L, 36, C>(point, blockers, start, &mut transfer, lamps, &mut add),
     }
-    let transfer = <L as Outline<C>>::product_cosine(&visibility, normal);
     let open = unblocked(&lobe, &light.coefficients);
     let shadowed = reflected(&transfer, &light.coefficients);
     // What is not a number fails the comparison.
     let channel = |c: usize| L::select(zero.lt(shadowed[c]), shadowed[c].min(open[c]), zero);
     let environment = [channel(0), channel(1), channel(2)];
-    let all = with_emitters(environment, &transfer, &lobe, position, (light, done));
+    let all = with_emitters(environment, &transfer, &lobe, point, (light, done));
     [all[0] + before[0], all[1] + before[1], all[2] + before[2]]
 }
 
@@ -289,7 +277,7 @@ pub(crate) fn with_emitters<L: Outline<C>, const C: usize>(
     environment: [L; 3],
     transfer: &[L; C],
     lobe: &[L; C],
-    position: [L; 3],
+    point: &Point<L>,
     (light, dark): (&Light, u64),
 ) -> [L; 3]
 where
@@ -299,41 +287,37 @@ where
         return environment;
     }
     let [r, g, b] = environment;
-    let [red, green, blue] = L::emitted(transfer, lobe, position, &light.emitters, dark);
+    let [red, green, blue] = L::emitted(transfer, lobe, point, &light.emitters, dark);
     [r + red, g + green, b + blue]
 }
 
-/// The first coefficients of the visibility that is accumulated with `A` of them; `own` is told that of each lamp that has
-/// one of its own.
+/// The transfer of light of `C` coefficients behind blockers that are accumulated with `A`; `own` is told that of each lamp
+/// that has one of its own. A light of a higher order than the accumulation's is refused before.
 #[inline(always)]
-fn lower_bands<L: Outline<A>, const A: usize, const C: usize>(
-    (position, normal): ([L; 3], [L; 3]),
+fn accumulated<L: Outline<A>, const A: usize, const C: usize>(
+    point: &Point<L>,
     blockers: Blockers,
     start: Option<impl Fn(usize) -> L>,
-    visibility: &mut [L; C],
+    transfer: &mut [L; C],
     lamps: Lamps,
     own: &mut impl FnMut(usize, &[L; C]),
 ) where
     [L; A]: Routines<L>,
 {
-    let mut sum = [position[0].lift(0.0); A];
+    if const { C > A } {
+        return;
+    }
+    let mut sum = [point.object.lift(0.0); A];
     if let Some(start) = start {
         for (i, slot) in sum.iter_mut().enumerate() {
             *slot = start(i);
         }
     }
-    let sum = L::accumulate(&sum, position, normal, blockers);
-    let take = |visibility: &mut [L; C], accumulated: &[L; A]| {
-        // By reference: an array's own iterator is not taken apart by the compiler.
-        for (slot, coefficient) in visibility.iter_mut().zip(accumulated) {
-            *slot = *coefficient;
-        }
-    };
+    let sum = L::accumulate(&sum, point, blockers);
     for (lamp, changes) in lamps.behind.each() {
         let emitter = &lamps.light.emitters[lamp];
-        let parted = L::parted(&sum, position, normal, emitter, changes);
-        take(visibility, &L::visibility(&parted));
-        own(lamp, visibility);
+        let parted = L::parted(&sum, point, emitter, changes);
+        own(lamp, &L::transfer(&parted, point.normal));
     }
-    take(visibility, &L::visibility(&sum));
+    *transfer = L::transfer(&sum, point.normal);
 }

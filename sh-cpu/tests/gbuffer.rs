@@ -81,7 +81,7 @@ fn a_fine_sphere_is_hit_where_the_analytic_sphere_is() {
             let normal = Vec3::from(receiver.normal);
             assert!((normal.length() - 1.0).abs() < 1e-6);
             assert!(normal.dot(out.normalize()) > 0.9999, "sample {i}");
-            assert_eq!(receiver.object, 0);
+            assert_eq!(receiver.object, 1);
         }
     }
     assert!(hits > 10_000, "{hits}");
@@ -101,7 +101,7 @@ fn the_ground_is_seen_from_above_only_and_behind_what_stands_on_it() {
         let direction = view.ray(view.samples(), i as u32 % 160, i as u32 / 160);
         if receiver.covered == 0 {
             assert!(direction.y >= 0.0);
-        } else if receiver.object == u32::MAX {
+        } else if receiver.object == 0 {
             ground += 1;
             assert_eq!(receiver.position[1], -1.0);
             assert_eq!(receiver.normal, [0.0, 1.0, 0.0]);
@@ -120,7 +120,7 @@ fn the_ground_is_seen_from_above_only_and_behind_what_stands_on_it() {
         below
             .receivers
             .iter()
-            .all(|r| r.covered == 0 || r.object == 0)
+            .all(|r| r.covered == 0 || r.object == 1)
     );
     assert!(below.receivers.iter().any(|r| r.covered == 1));
 }

@@ -4,7 +4,7 @@
 mod shading_cases;
 
 use sh_core::Routines;
-use sh_cpu::{Cuts, Outline, OutlineAll, Path, shade, shadow_on};
+use sh_cpu::{Cuts, Outline, OutlineAll, Path, Point, shade, shadow_on};
 use sh_scene::{Light, Receiver, Sphere};
 use shading_cases::{CASES, Shade};
 
@@ -31,10 +31,20 @@ fn in_f64(
         [f64; C]: Routines<f64>,
         f64: OutlineAll + Outline<C>,
     {
-        let (p, n) = (r.position.map(f64::from), r.normal.map(f64::from));
+        let point = Point {
+            position: r.position.map(f64::from),
+            normal: r.normal.map(f64::from),
+            object: f64::from(r.object),
+        };
         let cuts = Cuts::everything(s, 1, l);
-        shade::<f64, C>(p, n, (&cuts, 0), l, accumulation, None::<fn(usize) -> f64>)
-            .map(|x| x as f32)
+        shade::<f64, C>(
+            &point,
+            (&cuts, 0),
+            l,
+            accumulation,
+            None::<fn(usize) -> f64>,
+        )
+        .map(|x| x as f32)
     }
     receivers
         .iter()

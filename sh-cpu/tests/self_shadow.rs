@@ -54,7 +54,7 @@ fn walk(steps: usize) -> Vec<Receiver> {
 
 /// The largest change from step to step, over the radiance of a horizontal surface in the open.
 fn largest_change(steps: usize, limits: Option<Limits>) -> Result<f32, Box<dyn std::error::Error>> {
-    let light = Light::project_smoothly(&Sky::default().map(64, 32), None, 4)?;
+    let light = Light::project(&Sky::default().map(64, 32), None, 4, f32::INFINITY)?;
     let open = light.irradiance([0.0, 1.0, 0.0])[1];
     let (receivers, spheres) = (walk(steps), body());
     let everything = 0..steps;
@@ -106,7 +106,7 @@ fn radiance_follows_the_surface_without_jumps() -> Result<(), Box<dyn std::error
             largest_change(16 * STEPS, limits)?,
         ];
         // A jump would stay as it is; what is continuous falls to a sixteenth.
-        assert!(rough < 25.0 / STEPS as f32, "{limits:?}: {rough}");
+        assert!(rough < 40.0 / STEPS as f32, "{limits:?}: {rough}");
         assert!(fine < rough / 10.0, "{limits:?}: {rough}, then {fine}");
     }
     Ok(())

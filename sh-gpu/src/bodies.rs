@@ -111,7 +111,7 @@ impl Bodies {
                 let record = Body {
                     world_from_object: Mat4::from(object.transform),
                     albedo: object.material.albedo.into(),
-                    object: index as u32,
+                    object: scene.body(index),
                 };
                 let at = index * STRIDE as usize;
                 bytes[at..at + size_of::<Body>()].copy_from_slice(bytemuck::bytes_of(&record));

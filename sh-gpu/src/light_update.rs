@@ -360,7 +360,7 @@ impl LightUpdatePass {
                 }
             }
             let mut first = 0;
-            for (object, body) in (0..).zip(bodies) {
+            for (object, body) in (1..).zip(bodies) {
                 let (_, turn, _) = body.transform.to_scale_rotation_translation();
                 // A body without extent faces nowhere.
                 let turn = Some(turn).filter(|q| q.is_finite()).unwrap_or_default();

@@ -107,7 +107,7 @@ pub struct Sender {
     pub first: u32,
     /// How many it has.
     pub count: u32,
-    /// The index of its body, which receivers carry.
+    /// Its body, as receivers carry it: 1 more than its index.
     pub object: u32,
     /// Which node of the tree of blockers it is.
     pub node: u32,
@@ -121,7 +121,7 @@ pub struct Body {
     pub world_from_object: Mat4,
     /// Linear reflectance.
     pub albedo: Vec3,
-    /// The index that receivers carry.
+    /// Which it is, as receivers carry it: 1 more than its index.
     pub object: u32,
 }
 
@@ -137,7 +137,7 @@ pub struct VertexSource {
     pub stride: u32,
     /// From a position to its normal.
     pub normal: u32,
-    /// The index of the body, which receivers carry.
+    /// The body, as receivers carry it: 1 more than its index, or 0 for none.
     pub object: u32,
 }
 

@@ -249,13 +249,22 @@ impl ShadowPass {
         self.lit
             .prepare(queue, light, count as u32, Limits::LEAVES)?;
         // Every leaf a tree of its own.
-        let nodes = (0..).zip(blockers).map(|(at, sphere)| Node {
-            center: sphere.center,
-            radius: sphere.radius,
-            area: sphere.radius * sphere.radius,
-            parent: at,
-            skip: at + 1,
-            sphere: at,
+        let nodes = (0..).zip(blockers).map(|(at, sphere)| {
+            // One that is nowhere, or endless, blocks nothing.
+            let sphere = Some(sphere)
+                .filter(|s| s.is_finite())
+                .unwrap_or(&Sphere::NONE);
+            Node {
+                center: sphere.center,
+                radius: sphere.radius,
+                area: sphere.radius * sphere.radius,
+                parent: at,
+                skip: at + 1,
+                sphere: at,
+                weight: 1.0,
+                object: 0,
+                unused: [0; 2],
+            }
         });
         self.kept.with(|kept| {
             kept.clear();

@@ -128,7 +128,8 @@ impl VertexPass {
         })
     }
 
-    /// Uploads where the mesh stands, and the index of its body, for what is submitted next.
+    /// Uploads where the mesh stands, and which body it is of: 1 more than the index of its spheres among those of all
+    /// objects, or 0 for none. For what is submitted next.
     pub fn prepare(
         &self,
         queue: &Queue,

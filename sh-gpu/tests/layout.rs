@@ -102,7 +102,9 @@ fn records_are_laid_out_alike() {
                     area,
                     parent,
                     skip,
-                    sphere
+                    sphere,
+                    weight,
+                    object
                 }
             );
         }

@@ -1,6 +1,6 @@
 //! Environment light as SH vectors.
 
-use crate::{AreaLight, Emitter, EnvironmentMap, Ground, ringing};
+use crate::{AreaLight, Emitter, EnvironmentMap, Ground};
 use sh_core::{Routines, ShRgb, project};
 
 /// All light of a scene, ready for the passes: an environment's radiance as three SH vectors of one order,
@@ -102,26 +102,6 @@ impl Light {
             coefficients,
             emitters: Vec::new(),
         })
-    }
-
-    /// As [`Light::project`] with the widest window that keeps ringing small; see [`ringing`].
-    ///
-    /// # Errors
-    /// For an order other than 2 to 6.
-    pub fn project_smoothly(
-        map: &EnvironmentMap,
-        ground: Option<Ground>,
-        order: usize,
-    ) -> Result<Self, LightError> {
-        let mut light = Self::project(map, ground, order, f32::INFINITY)?;
-        let luminance = light.coefficients.iter().map(|[r, g, b]| {
-            0.2126 * f64::from(*r) + 0.7152 * f64::from(*g) + 0.0722 * f64::from(*b)
-        });
-        let width = ringing::width(&luminance.collect::<Vec<_>>());
-        for (i, coefficient) in light.coefficients.iter_mut().enumerate() {
-            *coefficient = coefficient.map(|c| c * ringing::gain(i.isqrt(), width));
-        }
-        Ok(light)
     }
 
     /// The same light and these lights besides; those without radiance are left out.

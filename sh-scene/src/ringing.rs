@@ -10,8 +10,9 @@ use sh_core::Routines;
 /// How far below zero a light may ring, in parts of its brightest.
 pub const LIMIT: f64 = 0.1;
 
-/// Steps of bisection: h to 2n/2¹⁶.
-const STEPS: u32 = 16;
+/// Widths that are looked at first, and steps of bisection after that: h to 2n/2¹⁶.
+const SCAN: usize = 64;
+const STEPS: u32 = 10;
 
 /// What a window of width `h` leaves of band `l`: 1 for an infinite width.
 ///
@@ -92,8 +93,13 @@ fn widest(order: usize, extremes: impl Fn(f32) -> (f64, f64)) -> f32 {
     if !rings(most) {
         return most;
     }
-    // With a width of 1 there is but the mean.
-    let (mut good, mut bad) = (1.0, most);
+    // With a width of 1 there is but the mean. Between, ringing may come and go: from above the first width without.
+    let step = (most - 1.0) / SCAN as f32;
+    let good = (0..SCAN)
+        .map(|i| 1.0 + step * i as f32)
+        .rfind(|&h| !rings(h));
+    let mut good = good.unwrap_or(1.0);
+    let mut bad = good + step;
     for _ in 0..STEPS {
         let middle = 0.5 * (good + bad);
         *(if rings(middle) { &mut bad } else { &mut good }) = middle;

@@ -44,11 +44,22 @@ pub struct Object {
     pub transform: Affine3A,
     /// A bounding set of spheres, in object space.
     pub spheres: Vec<Sphere>,
+    /// What each sphere's log visibility is multiplied with, so that together they hide what the mesh does
+    /// ([`Forest::weighted`]); fewer than spheres: the rest is 1.
+    pub weights: Vec<f32>,
+    /// Of an object that is a part of another one's body, which has the spheres of all: the index of that one. Blockers of
+    /// a receiver's own body count otherwise than those of others ([`sh_core::seen`]).
+    pub part_of: Option<usize>,
     /// What makes the spheres lights: points of the surface, as many groups as spheres, or empty where they are none.
     pub surface: SurfaceSamples,
 }
 
 impl Object {
+    /// The weight of a sphere.
+    pub fn weight(&self, sphere: usize) -> f32 {
+        self.weights.get(sphere).copied().unwrap_or(1.0)
+    }
+
     /// Its blocker spheres in world space.
     pub fn world_spheres(&self) -> impl Iterator<Item = Sphere> {
         let scale = self.transform.matrix3.x_axis.length();
@@ -95,7 +106,8 @@ pub struct Settings {
     pub accumulation: usize,
     /// Whether blockers cast shadows.
     pub shadows: bool,
-    /// Window width h of the environment's SH vector; none: as wide as ringing allows, see [`crate::ringing`].
+    /// Window width h of the environment's SH vector; none: it is taken as it is. A window dims open ground, and no picture
+    /// that was measured came nearer to the truth by one.
     pub window: Option<f32>,
     /// Whether shadows are computed at half the picture's resolution, and at the full one only where that does not do.
     pub half_resolution: bool,
@@ -197,16 +209,30 @@ impl Scene {
     /// Where the settings' order or window is none that there is.
     pub fn environment_light(&self) -> Result<Light, LightError> {
         let Settings { order, window, .. } = self.settings;
-        match window {
-            Some(window) => Light::project(&self.environment, self.ground, order, window),
-            None => Light::project_smoothly(&self.environment, self.ground, order),
-        }
+        let window = window.unwrap_or(f32::INFINITY);
+        Light::project(&self.environment, self.ground, order, window)
     }
 
     /// The tree of all blockers, as they stand now.
     pub fn forest(&self) -> Forest {
         let counts: Vec<usize> = self.objects.iter().map(|o| o.spheres.len()).collect();
-        Forest::new(&self.world_spheres(), &counts)
+        Forest::weighted(&self.world_spheres(), &self.weights(), &counts)
+    }
+
+    /// The body that an object is of, as receivers carry it ([`crate::Receiver::object`]).
+    pub fn body(&self, object: usize) -> u32 {
+        let part_of = self.objects.get(object).and_then(|o| o.part_of);
+        part_of.unwrap_or(object) as u32 + 1
+    }
+
+    /// The weights of all blocker spheres, object by object.
+    pub fn weights(&self) -> Vec<f32> {
+        let of = |o: &'_ Object| {
+            (0..o.spheres.len())
+                .map(|i| o.weight(i))
+                .collect::<Vec<_>>()
+        };
+        self.objects.iter().flat_map(of).collect()
     }
 
     /// The lowest and the highest corner of the bounding box of all objects in world space, or none where

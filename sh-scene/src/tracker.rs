@@ -82,6 +82,7 @@ impl Changes {
 struct Known {
     transform: Affine3A,
     spheres: Vec<Sphere>,
+    weights: Vec<f32>,
 }
 
 impl Known {
@@ -177,13 +178,15 @@ impl Tracker {
         let known = |object: &Object| Known {
             transform: object.transform,
             spheres: object.spheres.clone(),
+            weights: object.weights.clone(),
         };
-        let same = |(known, object): (&Known, &Object)| known.spheres.len() == object.spheres.len();
+        let same = |(known, object): (&Known, &Object)| {
+            known.spheres.len() == object.spheres.len() && known.weights == object.weights
+        };
         if objects.len() != scene.objects.len() || !objects.iter().zip(&scene.objects).all(same) {
             *objects = scene.objects.iter().map(known).collect();
             *spheres = scene.world_spheres();
-            let counts: Vec<usize> = objects.iter().map(|o| o.spheres.len()).collect();
-            *forest = Forest::new(spheres, &counts);
+            *forest = scene.forest();
             changes.rebuilt = true;
             (changes.objects, changes.spheres) = (objects.len(), spheres.len());
             changes.nodes = forest.nodes().len();
@@ -311,6 +314,8 @@ mod tests {
                     radius: 0.4,
                 })
                 .collect(),
+            weights: Vec::new(),
+            part_of: None,
             surface: Default::default(),
         };
         let lamp = |radiance| AreaLight::local(Vec3::Y, 0.1, radiance);

@@ -93,6 +93,8 @@ fn object(mesh: Mesh) -> Object {
                 radius: 1.0,
             },
         ],
+        weights: Vec::new(),
+        part_of: None,
         surface: Default::default(),
     }
 }

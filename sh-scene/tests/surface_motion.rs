@@ -133,6 +133,8 @@ fn scene(turn: Quat, hard: bool) -> (Scene, Motion) {
         },
         transform: Affine3A::from_translation(Vec3::X),
         spheres,
+        weights: Vec::new(),
+        part_of: None,
         surface,
     };
     motion.add_surfaces(std::slice::from_ref(&object));

@@ -94,6 +94,9 @@ pub fn arguments(routine: &Routine, order: usize, random: &mut Random, i: usize)
             // Radii and distance of two discs; the first covers nothing, so that what guards the division acts.
             ("b", Shape::Scalar) if i == 0 => vec![0.0],
             ("a" | "b", Shape::Scalar) => vec![0.01 + 1.5 * random.unit()],
+            // A sphere's height over its radius, wholly below to wholly above, and the square of a sine.
+            ("height", Shape::Scalar) => vec![1.2 * random.signed()],
+            ("square", Shape::Scalar) => vec![random.unit()],
             ("d", Shape::Scalar) => vec![3.0 * random.unit()],
             (_, Shape::Direction) if i < 6 => {
                 let mut d = vec![0.0; 3];

@@ -61,6 +61,23 @@ fn saturating(order: usize, f: &[f64]) -> Vec<f64> {
     g
 }
 
+/// The transfer as its documentation defines it: samples of f on a rule, the shading exponential of each, times the lobe.
+fn transfer(order: usize, f: &[f64], normal: [f64; 3]) -> Vec<f64> {
+    let rest: f64 = f[1..].iter().map(|f| f * f).sum();
+    let root = (1.0 + fits::shading(order) * rest / (4.0 * std::f64::consts::PI)).sqrt();
+    let x: Vec<f64> = f.iter().map(|f| f / root).collect();
+    let lobe = reference::zonal::cosine(2 * order - 1, normal);
+    let mut sum = vec![0.0; order * order];
+    for (point, weight) in octahedral::points(sampled::points(order, Fineness::Medium)) {
+        let t = reference::basis::evaluate(&x, point).clamp(-4.0, 0.5);
+        let value = (1.0 + t / 4.0).powi(4) * reference::basis::evaluate(&lobe, point);
+        for (sum, y) in sum.iter_mut().zip(reference::basis::basis(order, point)) {
+            *sum += weight * value * y;
+        }
+    }
+    sum
+}
+
 /// A rotation matrix's action on a vector, by quadrature like the quaternion's.
 fn rotate_matrix(f: &[f64], m: &[f64]) -> Vec<f64> {
     let order = reference::basis::order_of(f.len());
@@ -117,11 +134,16 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
         "window" => reference::zonal::window(&a[0], a[1][0]),
         "cap_visibility" => reference::cap::visibility(order, a[1][0].atan2(a[0][0])),
         "cap_log" => cap_log("eigen", order, a[0][0], a[1][0]),
+        "cap_log_shading" => cap_log("shading", order, a[0][0], a[1][0]),
         "cap_log_saturating" => cap_log("saturating", order, a[0][0], a[1][0]),
         "add_cap_log" => add_cap_log("eigen", order, a),
         "add_cap_log_saturating" => add_cap_log("saturating", order, a),
-        "accumulate_blocker" => {
-            let mut zonal = cap_log("saturating", order, a[1][0], a[2][0]);
+        "accumulate_blocker" | "accumulate_blocker_saturating" => {
+            let fit = match routine {
+                "accumulate_blocker" => "shading",
+                _ => "saturating",
+            };
+            let mut zonal = cap_log(fit, order, a[1][0], a[2][0]);
             for (z, w) in zonal.iter_mut().zip(&a[4]) {
                 *z *= w;
             }
@@ -159,6 +181,13 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
             let [first, second] = fits::lens().map(|c| polynomial(&c, small / large));
             let f = t * (first + t * (second + t * (1.0 - first - second)));
             vec![f.max(0.0) * (b / a).powi(2).min(1.0)]
+        }
+        "transfer" => transfer(order, &a[0], three(&a[1])),
+        "horizon_radius" => {
+            let (u, x) = ((0.5 + 0.5 * a[0][0]).clamp(0.0, 1.0), a[1][0]);
+            let [low, middle, high] = fits::horizon().map(|c| polynomial(&c, u));
+            let sum = low + x * middle + x.powi(8) * high;
+            vec![(u * (1.0 + (1.0 - u) * sum)).max(0.0)]
         }
         "exp_saturating" => saturating(order, &a[0]),
         "exp_sampled" => pointwise(order, Fineness::Medium, &a[0], clamped),

@@ -26,7 +26,9 @@ projected product of the blockers' binary visibilities, exact to 1e-10.
 ";
 
 const METHODS: &str = "
-`saturating` is the exponential of the shadow pass. It is made of samples on an octahedral rule, each held in
+`saturating` is the exponential where visibility itself is asked for: by other renderers, and for what spheres hide of
+each other. (The shadow pass has `transfer`, of the same kind but fitted to the light that is reflected, which is told by
+pictures below.) It is made of samples on an octahedral rule, each held in
 0..1.2996 by a fitted function in the place of e^x, after the ripples of many blockers are compressed to the size of
 one blocker's. That is why it has a bound where all others but the sampled ones diverge.
 
@@ -41,7 +43,6 @@ one blocker's. That is why it has a bound where all others but the sampled ones 
 - What the fit gives away: one blocker alone is 0.014 off at 40 degrees and order 4 (PS\\*-2 with the eigen logarithm:
   0.0002), and one smaller than 10 degrees casts about 60 % of its shadow (80 % at order 6). The overlapping spheres of
   a body, which a sum counts more than once, are thereby nearer to the truth.
-- More spheres are not more accurate by themselves: where they overlap, shadows grow darker than those of the body.
 ";
 
 /// The page. `charts` are the files of both charts, as the page is to link them.

@@ -106,7 +106,7 @@ fn truth(scene: &Scene, receivers: &[Receiver]) -> Result<Vec<f64>, Error> {
 
 fn light(scene: &Scene, order: usize) -> Result<Light, Error> {
     let (map, ground) = (&scene.environment, scene.ground);
-    Ok(Light::project_smoothly(map, ground, order)?)
+    Ok(Light::project(map, ground, order, f32::INFINITY)?)
 }
 
 fn row(

@@ -112,7 +112,7 @@ fn row(spheres: usize, density: [usize; 2], rounds: usize) -> Result<Row, Error>
     let path = Path::best();
     let (balls, counts) = crowd(spheres);
     let (receivers, clusters) = floor(density);
-    let light = Light::project_smoothly(&Sky::default().map(256, 128), None, ORDER)?;
+    let light = Light::project(&Sky::default().map(256, 128), None, ORDER, f32::INFINITY)?;
     let mut forest = Forest::new(&balls, &counts);
     let mut tree_ms = f64::INFINITY;
     let mut ways = [Limits::default(), Limits::LEAVES].map(|limits| Way {
@@ -224,7 +224,7 @@ fn crowd(spheres: usize) -> (Vec<Sphere>, Vec<usize>) {
         let mut poses: Vec<Affine3A> = Vec::new();
         // Everybody at another step.
         body.pose(1.7 * i as f32, &mut poses);
-        let parts = body.parts(i as u32);
+        let parts = body.parts(i as u32 + 1);
         counts.push(parts.spheres.len());
         all.extend(parts.spheres.iter().map(|(segment, sphere)| {
             Sphere {
@@ -252,7 +252,7 @@ fn floor([across, along]: [usize; 2]) -> (Vec<Receiver>, Vec<Range<usize>>) {
             position: [x, 0.0, z],
             covered: 1,
             normal: [0.0, 1.0, 0.0],
-            object: u32::MAX,
+            object: 0,
         }
     });
     let clusters = (0..TILES * TILES).map(|i| i * of_a_tile..(i + 1) * of_a_tile);

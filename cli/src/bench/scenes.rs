@@ -102,7 +102,7 @@ impl Face {
                 .into(),
                 covered: 1,
                 normal: normal.into(),
-                object: u32::MAX,
+                object: 0,
             })
             .collect()
     }

@@ -176,7 +176,7 @@ mod tests {
     fn sampled(body: &Body, seconds: f32) -> (Surface, Vec<Affine3A>) {
         let mut poses = Vec::new();
         body.pose(0.0, &mut poses);
-        let mut surface = Surface::new(body, &body.parts(0), &poses);
+        let mut surface = Surface::new(body, &body.parts(1), &poses);
         poses.clear();
         body.pose(seconds, &mut poses);
         surface.pose(&poses);

@@ -87,7 +87,7 @@ impl World {
         for (object, body) in plan.bodies.iter().enumerate() {
             let at = poses.len();
             body.pose(0.0, &mut poses);
-            let parts = body.parts(object as u32);
+            let parts = body.parts(object as u32 + 1);
             counts.push(parts.spheres.len());
             if plan.indirect.is_some() {
                 surfaces.push(Surface::new(body, &parts, &poses[at..]));
@@ -123,7 +123,7 @@ impl World {
             receivers.extend(on);
         }
         let spheres: Vec<Sphere> = rest.iter().map(|s| placed_sphere(s, &poses)).collect();
-        let sky = Light::project_smoothly(&Sky::default().map(256, 128), None, ORDER)?;
+        let sky = Light::project(&Sky::default().map(256, 128), None, ORDER, f32::INFINITY)?;
         let lamp = |lamp: &Lamp| AreaLight {
             // The width is looked for once, not every frame.
             window: Some(ringing::of_small_light(ORDER)),

@@ -80,7 +80,7 @@ fn channels(coefficients: &[[f32; 3]]) -> [Vec<f64>; 3] {
 fn albedos(scene: &Scene, seen: &Seen) -> Vec<[f32; 3]> {
     let mut sums = vec![([0.0; 3], 0.0); scene.objects.len()];
     for (receiver, albedo) in seen.receivers().iter().zip(&seen.samples.albedo) {
-        if let Some((sum, count)) = sums.get_mut(receiver.object as usize) {
+        if let Some((sum, count)) = sums.get_mut((receiver.object as usize).wrapping_sub(1)) {
             for (sum, c) in sum.iter_mut().zip(albedo) {
                 *sum += c;
             }

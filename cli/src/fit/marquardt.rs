@@ -28,6 +28,17 @@ type Residual<'a> = &'a (dyn Fn(&[f64], usize, &mut [f64]) + Sync);
 /// differences. `residual(x, i)` writes r_i of `size` numbers. The sums run in a fixed order: the same result for
 /// any number of threads. Gives back the last sum.
 pub(super) fn minimise(x: &mut [f64], weights: &[f64], size: usize, residual: Residual<'_>) -> f64 {
+    minimise_in(STEPS, x, weights, size, residual)
+}
+
+/// As [`minimise`], in at most so many steps.
+pub(super) fn minimise_in(
+    steps: usize,
+    x: &mut [f64],
+    weights: &[f64],
+    size: usize,
+    residual: Residual<'_>,
+) -> f64 {
     let n = x.len();
     let sum = |x: &[f64]| -> f64 {
         let terms: Vec<f64> = (0..weights.len())
@@ -42,7 +53,7 @@ pub(super) fn minimise(x: &mut [f64], weights: &[f64], size: usize, residual: Re
     };
     let mut best = sum(x);
     let mut damping = 1e-3;
-    for _ in 0..STEPS {
+    for _ in 0..steps {
         // Normal equations, in blocks that are summed in order.
         let blocks: Vec<(DMatrix<f64>, DVector<f64>)> = (0..weights.len().div_ceil(64))
             .into_par_iter()

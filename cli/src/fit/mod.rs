@@ -5,18 +5,22 @@
 //! | `ball.txt` | polynomials of what is seen of a ball | its integral |
 //! | `cap_log.txt` | polynomials of the logarithm of a circle's visibility | each exponential, against true visibilities; the eigen logarithm |
 //! | `cap_log_table.txt` | the eigen logarithm at whole degrees | nothing: computed |
+//! | `horizon.txt` | polynomials of the circle that stands for a sphere under a horizon | its form factor |
 //! | `lens.txt` | polynomials of the common part of two discs | its inverse cosines |
 //! | `optimal_linear.txt` | factors of the optimal linear exponential | circles |
+//! | `shading.txt` | compression of the shadow pass's exponential | true transfers, together with its logarithm |
 //! | `saturating.txt` | compression and gains of the saturating exponential | true visibilities, together with its logarithm |
 //!
 //! The library compiles the files in. A test refits and compares.
 
 mod ball;
 mod circles;
+mod horizon;
 mod lens;
 mod linear;
 mod marquardt;
 mod sets;
+mod shading;
 mod visibility;
 
 use crate::Error;
@@ -43,8 +47,78 @@ struct Texts {
     saturating: String,
 }
 
-/// All fitted data. `progress` is told the part that is done, 0 to 1.
-pub fn all(progress: &(dyn Fn(f32) + Sync)) -> Vec<DataFile> {
+/// The files.
+const NAMES: [&str; 8] = [
+    "ball.txt",
+    "cap_log.txt",
+    "cap_log_table.txt",
+    "horizon.txt",
+    "lens.txt",
+    "optimal_linear.txt",
+    "saturating.txt",
+    "shading.txt",
+];
+
+/// Fitted data: all of it, or one file by name. `progress` is told the part that is done, 0 to 1.
+pub fn all(only: Option<&str>, progress: &(dyn Fn(f32) + Sync)) -> Vec<DataFile> {
+    let wanted = |name: &str| only.is_none_or(|only| only == name);
+    let mut files = Vec::new();
+    let mut put = |name: &'static str, text: &mut dyn FnMut() -> String| {
+        if wanted(name) {
+            files.push(DataFile { name, text: text() });
+        }
+    };
+    put("ball.txt", &mut ball::text);
+    put("horizon.txt", &mut horizon::text);
+    put("lens.txt", &mut lens::text);
+    put("shading.txt", &mut || shading(&|part| progress(0.3 * part)));
+    // Those that are fitted together, as one starts from another.
+    let together = [
+        "cap_log.txt",
+        "cap_log_table.txt",
+        "optimal_linear.txt",
+        "saturating.txt",
+    ];
+    if together.iter().any(|name| wanted(name)) {
+        let texts = together
+            .into_iter()
+            .zip(logarithms(&|part| progress(0.3 + 0.7 * part)));
+        files.extend(
+            texts
+                .filter(|(name, _)| wanted(name))
+                .map(|(name, text)| DataFile { name, text }),
+        );
+    }
+    files.sort_by_key(|file| file.name);
+    files
+}
+
+/// Shares of the time by order.
+const SHARES: [f32; 6] = [0.0, 0.03, 0.1, 0.25, 0.5, 1.0];
+
+fn shading(progress: &(dyn Fn(f32) + Sync)) -> String {
+    let mut text = String::from(
+        "# The exponential of the shadow pass and its cap logarithm f_l = sin^2(t) p_l(2 cos t - 1), t in 0..90 degrees, fitted\n\
+         # to true transfers.\n\
+         # Written by `gaunt fit`. Columns: `compression` or `log`, order, the compression or the coefficients of p_l from\n\
+         # the lowest power; a row a band.\n",
+    );
+    let fits = [
+        shading::fit::<4>,
+        shading::fit::<9>,
+        shading::fit::<16>,
+        shading::fit::<25>,
+        shading::fit::<36>,
+    ];
+    for (fit, share) in fits.into_iter().zip(&SHARES[1..]) {
+        fit(&mut text);
+        progress(*share);
+    }
+    text
+}
+
+/// `cap_log.txt`, `cap_log_table.txt`, `optimal_linear.txt` and `saturating.txt`.
+fn logarithms(progress: &(dyn Fn(f32) + Sync)) -> [String; 4] {
     let mut texts = Texts {
         cap_log: String::from(
             "# The logarithm of a cap's visibility, fitted: f_l = sin^2(t) p_l(2 cos t - 1), t in 0..90 degrees.\n\
@@ -67,23 +141,17 @@ pub fn all(progress: &(dyn Fn(f32) + Sync)) -> Vec<DataFile> {
              # Written by `gaunt fit`. Columns: order, compression, gain of each band.\n",
         ),
     };
-    // Shares of the time by order.
-    let shares = [0.0, 0.03, 0.1, 0.25, 0.5, 1.0];
-    order::<4>(&mut texts, &part(progress, &shares, 0));
-    order::<9>(&mut texts, &part(progress, &shares, 1));
-    order::<16>(&mut texts, &part(progress, &shares, 2));
-    order::<25>(&mut texts, &part(progress, &shares, 3));
-    order::<36>(&mut texts, &part(progress, &shares, 4));
+    order::<4>(&mut texts, &part(progress, &SHARES, 0));
+    order::<9>(&mut texts, &part(progress, &SHARES, 1));
+    order::<16>(&mut texts, &part(progress, &SHARES, 2));
+    order::<25>(&mut texts, &part(progress, &SHARES, 3));
+    order::<36>(&mut texts, &part(progress, &SHARES, 4));
     [
-        ("ball.txt", ball::text()),
-        ("cap_log.txt", texts.cap_log),
-        ("cap_log_table.txt", texts.cap_log_table),
-        ("lens.txt", lens::text()),
-        ("optimal_linear.txt", texts.optimal_linear),
-        ("saturating.txt", texts.saturating),
+        texts.cap_log,
+        texts.cap_log_table,
+        texts.optimal_linear,
+        texts.saturating,
     ]
-    .map(|(name, text)| DataFile { name, text })
-    .into()
 }
 
 /// Progress within one order.
@@ -102,8 +170,14 @@ where
     visibility::fit::<C>(&start, texts, progress);
 }
 
-/// Writes all fitted data into a folder that exists, and says what changed.
-pub fn write(folder: &Path) -> Result<String, Error> {
+/// Writes fitted data into a folder that exists, all of it or one file by name, and says what changed.
+pub fn write(folder: &Path, only: Option<&str>) -> Result<String, Error> {
+    if let Some(only) = only.filter(|only| !NAMES.contains(only)) {
+        let names = NAMES.join(", ");
+        return Err(Error::Usage(format!(
+            "--only is {only}, but the files are {names}"
+        )));
+    }
     if !folder.is_dir() {
         let folder = folder.display();
         return Err(Error::Usage(format!(
@@ -111,7 +185,7 @@ pub fn write(folder: &Path) -> Result<String, Error> {
         )));
     }
     let progress = Progress::new("fitting");
-    let files = all(&|part| progress.set(part));
+    let files = all(only, &|part| progress.set(part));
     progress.finish();
     let mut lines = Vec::new();
     for DataFile { name, text } in files {

@@ -74,10 +74,10 @@ impl Cost {
             false => 0.0,
         };
         let blocker = of("accumulate_blocker", accumulation) + 30.0;
-        let exponential = of("exp_saturating", accumulation) + of("accumulated_log", accumulation);
+        let exponential = of("transfer", accumulation) + of("accumulated_log", accumulation);
         Self {
             open: light,
-            shadow: light + of("product_cosine", order) + exponential + blockers * blocker,
+            shadow: light + exponential + blockers * blocker,
             gather: blockers * (of("ball_average", order) + 3.0 * coefficients + 8.0 * HIDER),
         }
     }

@@ -27,6 +27,8 @@ pub(super) fn body(
         material,
         transform: Affine3A::from_quat(turn),
         spheres,
+        weights: Vec::new(),
+        part_of: None,
         surface,
     };
     stood(object, place)

@@ -22,8 +22,6 @@ pub(super) struct Sight {
     pub truth: Truth,
     /// Mean radiance, and that of indirect light alone.
     pub means: [f64; 2],
-    /// How many bodies there are: receivers of the ground have this number or a higher one.
-    objects: u32,
 }
 
 /// Figures of one way to light a sight.
@@ -49,12 +47,7 @@ impl Sight {
         let seen = Seen::new(scene, traced.size)?;
         let truth = trace(scene, &seen, traced, light)?;
         let means = [&truth.parts.total(), &truth.parts.indirect].map(|p| scale(&seen.covered(p)));
-        Ok(Self {
-            seen,
-            truth,
-            means,
-            objects: scene.objects.len() as u32,
-        })
+        Ok(Self { seen, truth, means })
     }
 
     /// What the passes make of a scene whose surfaces are those of this sight.
@@ -81,8 +74,7 @@ impl Sight {
         [false, true].map(|on_bodies| {
             let only = |parts: &Parts| -> Radiance {
                 let pairs = self.seen.receivers().iter().zip(of(parts));
-                let there =
-                    pairs.filter(|(r, _)| r.covered != 0 && (r.object < self.objects) == on_bodies);
+                let there = pairs.filter(|(r, _)| r.covered != 0 && (r.object != 0) == on_bodies);
                 there.map(|(_, light)| *light).collect()
             };
             let truth = only(&self.truth.parts);

@@ -198,7 +198,7 @@ fn step(case: &Case, name: &str, objects: Vec<Object>, traced: Traced) -> Result
             let outside = spheres
                 .iter()
                 .all(|s| Vec3::from(r.position).distance(s.center.into()) > s.radius);
-            r.covered != 0 && r.object as usize >= scene.objects.len() && outside
+            r.covered != 0 && r.object == 0 && outside
         })
         .collect();
     let only = |all: &[[f32; 3]]| -> Vec<[f32; 3]> {

@@ -68,7 +68,7 @@ async fn render(path: &Path) -> Result<(), Box<dyn Error>> {
     let mut shadows = Shadows::new(&device, textures, &spheres)?;
     // A clear sky with the sun at the right. Projected again only when it changes.
     let sky = Sky { sun: Vec3::new(0.8, 0.6, 0.35), ..Sky::default() };
-    let light = Light::project_smoothly(&sky.map(128, 64), None, 4)?;
+    let light = Light::project(&sky.map(128, 64), None, 4, f32::INFINITY)?;
 
     // A frame: the host draws, Gaunt shades, the host composes.
     queue.write_buffer(&uniform, 0, bytemuck::cast_slice(&frame));

@@ -7,6 +7,7 @@
 use crate::ball;
 use crate::basis::basis;
 use crate::cap;
+use crate::horizon;
 use crate::vec3::{Vec3, add, dot, frame, length, scale, sub, widen};
 use crate::zonal;
 use sh_scene::{Distribution, Emitter};
@@ -136,16 +137,28 @@ impl Lamp {
         }
     }
 
-    /// The lobe that stands for it among the passes, seen from a point.
-    pub fn lobe(&self, from: Vec3) -> Lobe {
+    /// The lobe that stands for it among the passes, seen from a point with a normal: of that size that it gives as much in
+    /// the open as the lamp does.
+    pub fn lobe(&self, from: Vec3, normal: Vec3) -> Lobe {
         let towards = self.towards(from);
         let far = length(towards);
         let angle = (self.radius / far.max(f64::MIN_POSITIVE)).min(1.0).asin();
         let bands = cap::blocked(self.gains.len(), angle);
+        let bands: Vec<f64> = bands.iter().zip(&self.gains).map(|(z, g)| z * g).collect();
+        let axis = unit(towards);
+        let (sine, facing) = (angle.sin().max(f64::MIN_POSITIVE), dot(axis, normal));
+        let shown = horizon::share(facing / sine, 1.0 / sine);
+        let lobe = zonal::cosine(bands.len(), normal);
+        let open: f64 = zonal::rotated(&bands, axis)
+            .iter()
+            .zip(&lobe)
+            .map(|(a, b)| a * b)
+            .sum();
+        let size = if open > 0.0 { shown / open } else { 0.0 };
         Lobe {
-            radiance: self.mean(towards),
-            axis: unit(towards),
-            bands: bands.iter().zip(&self.gains).map(|(z, g)| z * g).collect(),
+            radiance: scale(self.mean(towards), size),
+            axis,
+            bands,
             distance: if self.local { far } else { f64::INFINITY },
         }
     }

@@ -238,7 +238,7 @@ impl<'a> PathTracer<'a> {
             sum = self.sky.radiance(direction);
         }
         for lamp in &self.lamps {
-            let lobe = lamp.lobe(place.start);
+            let lobe = lamp.lobe(place.start, place.normal);
             if limit >= lobe.distance {
                 sum = add(sum, scale(lobe.radiance, lobe.value(direction)));
             }

@@ -158,6 +158,8 @@ fn world_triangles_are_transformed() {
             glam::Vec3::new(10.0, 20.0, 30.0),
         ),
         spheres: Vec::new(),
+        weights: Vec::new(),
+        part_of: None,
         surface: Default::default(),
     };
     let expected = [[10.0, 20.0, 32.0], [10.0, 22.0, 30.0], [8.0, 20.0, 30.0]];

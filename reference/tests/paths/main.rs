@@ -51,6 +51,8 @@ fn object(mesh: Mesh, albedo: [f32; 3], place: Vec3) -> Object {
         },
         transform: Affine3A::from_translation(place),
         spheres: Vec::new(),
+        weights: Vec::new(),
+        part_of: None,
         surface: SurfaceSamples::default(),
     }
 }

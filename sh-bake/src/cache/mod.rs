@@ -1,4 +1,4 @@
-//! What is found once kept on disk: sphere sets and surface samples.
+//! What is found once kept on disk: sphere sets, their weights and surface samples.
 //!
 //! A set is found by what it was made from: its file is named after a SHA-256 hash of all that decides it, with the version
 //! of what makes it. So nothing is ever out of date, and the folder can be emptied at any moment. A file ends in a hash
@@ -8,8 +8,10 @@
 
 mod spheres;
 mod surfaces;
+mod weights;
 
 pub(crate) use surfaces::key as surface_key;
+pub(crate) use weights::key as weights_key;
 
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};

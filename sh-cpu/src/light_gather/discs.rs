@@ -15,8 +15,9 @@
 
 use super::At;
 use crate::SphericalLights;
-use crate::accumulate::{Seen, dot};
+use crate::accumulate::{Point, dot};
 use crate::light_cut::{ALWAYS, LightCut, Met};
+use sh_core::seen::Seen;
 use sh_core::{Lane, Routines};
 use std::f64::consts::PI;
 
@@ -42,18 +43,18 @@ pub struct Disc<L> {
 /// What [`crate::Outline::gathered_discs`] computes, to be inlined there.
 #[inline(always)]
 pub(crate) fn discs<L: Lane, const C: usize>(
-    position: [L; 3],
-    normal: [L; 3],
+    point: &Point<L>,
     cut: &LightCut,
     lights: &SphericalLights,
     kept: &mut [Disc<L>; KEPT],
 ) -> [L; 3]
 where
     [L; C]: Routines<L>,
+    [L; 4]: Routines<L>,
 {
-    let (zero, one) = (position[0].lift(0.0), position[0].lift(1.0));
+    let (zero, one) = (point.object.lift(0.0), point.object.lift(1.0));
     let all_kept = cut.spheres.len() <= KEPT;
-    let mut at = At::new(position, normal, lights);
+    let mut at = At::new(point, lights);
     for (kept, met) in kept.iter_mut().zip(&cut.spheres) {
         *kept = disc(&at, met);
     }
@@ -72,7 +73,7 @@ where
         let Seen {
             sine, direction, ..
         } = own.seen;
-        let open = sine * sine * dot(direction, normal).max(zero);
+        let open = sine * sine * dot(direction, point.normal).max(zero);
         let mut left = one;
         if !L::any(zero.lt(open)) {
             continue;
@@ -142,7 +143,10 @@ impl<L: Lane> Disc<L> {
 }
 
 #[inline(always)]
-fn disc<L: Lane>(at: &At<L>, met: &Met) -> Disc<L> {
+fn disc<L: Lane>(at: &At<L>, met: &Met) -> Disc<L>
+where
+    [L; 4]: Routines<L>,
+{
     let seen = at.look(met);
     let (zero, one) = (seen.sine.lift(0.0), seen.sine.lift(1.0));
     // What does not count has a sine of 0, and any cosine.

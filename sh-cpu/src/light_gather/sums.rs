@@ -9,9 +9,11 @@
 
 use super::At;
 use crate::SphericalLights;
+use crate::accumulate::Point;
 use crate::light_cut::{ALWAYS, LightCut, Met, NEVER};
 use crate::outline::Outline;
-use sh_core::{ROOT_FOUR_PI, Routines};
+use sh_core::seen::Seen;
+use sh_core::{Lane, ROOT_FOUR_PI, Routines};
 use std::ops::Range;
 
 /// Spheres of a run whose logarithms are kept while its pairs are looked at; those of further ones are computed anew
@@ -21,18 +23,18 @@ const KEPT: usize = 24;
 /// What [`Outline::gathered_sums`] computes, to be inlined there.
 #[inline(always)]
 pub(crate) fn sums<L: Outline<C>, const C: usize>(
-    position: [L; 3],
-    normal: [L; 3],
+    point: &Point<L>,
     cut: &LightCut,
     lights: &SphericalLights,
 ) -> [L; 3]
 where
     [L; C]: Routines<L>,
+    [L; 4]: Routines<L>,
 {
-    let zero = position[0].lift(0.0);
-    let lobe = <[L; C]>::cosine(normal);
+    let zero = point.object.lift(0.0);
+    let lobe = <[L; C]>::cosine(point.normal);
     let mut all = Sums {
-        at: At::new(position, normal, lights),
+        at: At::new(point, lights),
         lobe,
         nearer: [zero; C],
         // Nothing is nearer: all of H · 1 is left.
@@ -48,6 +50,19 @@ where
     all.at.bounded()
 }
 
+/// A sum of log visibilities plus that of a sphere.
+#[inline(always)]
+fn with<L: Lane, const C: usize>(sum: &[L; C], seen: &Seen<L>, weights: &[f32; 6]) -> [L; C]
+where
+    [L; C]: Routines<L>,
+{
+    let weights = <[L; C]>::zonal_from(
+        #[inline(always)]
+        |l| seen.sine.lift(f64::from(weights[l])),
+    );
+    sum.accumulate_blocker_saturating(seen.sine, seen.cosine, seen.direction, weights)
+}
+
 /// Receivers on their way from the nearest sphere to the farthest.
 struct Sums<'a, L, const C: usize> {
     at: At<'a, L>,
@@ -61,6 +76,7 @@ struct Sums<'a, L, const C: usize> {
 impl<L: Outline<C>, const C: usize> Sums<'_, L, C>
 where
     [L; C]: Routines<L>,
+    [L; 4]: Routines<L>,
 {
     /// exp(f) · H.
     #[inline(always)]
@@ -71,8 +87,8 @@ where
     /// A sphere's log visibility alone.
     #[inline(always)]
     fn log(&self, met: &Met) -> [L; C] {
-        let none = [self.at.position[0].lift(0.0); C];
-        self.at.look(met).added(&none, &met.blocker.weights)
+        let none = [self.at.point.object.lift(0.0); C];
+        with(&none, &self.at.look(met), &met.blocker.weights)
     }
 
     #[inline(always)]
@@ -95,7 +111,7 @@ where
         if !L::any(seen.sine.lift(0.0).lt(seen.sine)) {
             return;
         }
-        let with = seen.added(&self.nearer, &met.blocker.weights);
+        let with = with(&self.nearer, &seen, &met.blocker.weights);
         if self.at.lights.shines(met.node) {
             let left = self.left();
             let behind = self.visible(&with);
@@ -110,7 +126,7 @@ where
     /// Spheres that share a run.
     #[inline(always)]
     fn several(&mut self, cut: &LightCut, run: Range<usize>) {
-        let zero = self.at.position[0].lift(0.0);
+        let zero = self.at.point.object.lift(0.0);
         let count = cut.spheres.len();
         let mut kept = [[zero; C]; KEPT];
         for (kept, met) in kept.iter_mut().zip(&cut.spheres[run.clone()]) {

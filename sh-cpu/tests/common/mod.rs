@@ -56,6 +56,8 @@ pub fn object(mesh: Mesh, transform: Affine3A) -> Object {
             center: [0.0; 3],
             radius,
         }],
+        weights: Vec::new(),
+        part_of: None,
         surface: Default::default(),
     }
 }

@@ -22,7 +22,10 @@ pub fn shadowed_light_is_what_the_lobe_meets(gpu: &Gpu) {
     let covered = receivers.iter().filter(|r| r.covered == 1).count();
     let sky = numbers.light(4);
     let hidden = both(gpu, &receivers, &numbers.spheres(40), &sky);
-    let alike = |of: &[[f32; 2]]| of.iter().filter(|[a, b]| (a - b).abs() < 3e-5).count();
+    // Each has an exponential of its own: one is fitted to the visibility, the other to what is reflected.
+    let most = hidden.iter().map(|[_, b]| *b).fold(0.0, f32::max);
+    let near = 0.15 * most;
+    let alike = |of: &[[f32; 2]]| of.iter().filter(|[a, b]| (a - b).abs() < near).count();
     assert_eq!(hidden.len(), covered * 3);
     assert!(
         alike(&hidden) > hidden.len() * 9 / 10,
@@ -37,7 +40,7 @@ pub fn shadowed_light_is_what_the_lobe_meets(gpu: &Gpu) {
         &[],
         &sky.clone().with_lights(&lamps()).unwrap(),
     );
-    assert!(open.iter().all(|[light, radiance]| light - radiance < 3e-5));
+    assert!(open.iter().all(|[light, radiance]| light - radiance < near));
     assert!(
         alike(&open) > open.len() / 4,
         "{} of {}",
@@ -534,6 +537,6 @@ pub fn pipelines_are_shared(gpu: &Gpu) {
     LightGatherPass::new(&gpu.device, &shadow, Blocking::Runs).unwrap();
     LightGatherPass::new(&gpu.device, &shadow, Blocking::Object).unwrap();
     assert_eq!(made(), (4, 6), "three methods of one module");
-    // 64 bytes a blocker; a record, and 16 emitters.
-    assert_eq!(shadow.bytes(), 9 * 64 + 592 + 16 * 640);
+    // 96 bytes a blocker; a record, and 16 emitters.
+    assert_eq!(shadow.bytes(), 9 * 96 + 592 + 16 * 640);
 }

@@ -96,6 +96,8 @@ pub fn standing_quad() -> Scene {
                 radius: 0.5,
             },
         ],
+        weights: Vec::new(),
+        part_of: None,
         surface: Default::default(),
     };
     let mut numbers = Numbers(5);

@@ -54,7 +54,7 @@ pub fn exhausted_memory_is_an_error(gpu: &Gpu) {
     let status = std::fs::read_to_string("/proc/self/statm").unwrap();
     let pages: u64 = status.split(' ').next().unwrap().parse().unwrap();
     let large = ShadowOptions {
-        max_blockers: 2_000_000,
+        max_blockers: 1_300_000,
         ..small()
     };
     limit(&(pages * 4096 + (48 << 20)).to_string());

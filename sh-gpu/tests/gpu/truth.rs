@@ -13,16 +13,17 @@ pub fn replaced(receiver: &Receiver, sphere: &Sphere) -> Option<([f64; 3], f64)>
     let center: [f64; 3] =
         std::array::from_fn(|i| f64::from(sphere.center[i]) - f64::from(receiver.position[i]));
     let (r, c) = (f64::from(sphere.radius), dot(center, normal));
+    let square = dot(center, center);
+    // From inside the sphere counts that reaches to the receiver.
+    let over = c / r * (r * r / square).max(1.0);
     if c >= r {
         return Some((center, r));
     }
-    if c <= -r {
+    if over <= -1.0 || r <= 0.0 {
         return None;
     }
     let foot: [f64; 3] = std::array::from_fn(|i| center[i] - c * normal[i]);
-    let circle = r * r - c * c;
-    let a = ((dot(foot, foot) / circle - 1.0) / 3.0).clamp(0.0, 1.0);
-    let radius = (1.0 - a) * c.max(0.0) + a * (r + c) / 2.0;
+    let radius = r * <[f64; 4]>::horizon_radius(over, (r * r / square).min(1.0));
     Some((
         std::array::from_fn(|i| foot[i] + radius * normal[i]),
         radius,
@@ -45,14 +46,14 @@ where
         if radius > 0.0 && distance > 0.0 {
             let sine = (radius / distance).min(1.0);
             let cosine = (1.0 - sine * sine).max(0.0).sqrt();
-            let log = <[f64; A]>::cap_log_saturating(sine, cosine);
+            let log = <[f64; A]>::cap_log_shading(sine, cosine);
             let turned = <[f64; A]>::zonal(log, center.map(|x| x / distance));
             f = std::array::from_fn(|i| f[i] + turned[i]);
         }
     }
     let lobe = <[f64; C]>::cosine(receiver.normal.map(f64::from));
-    let visibility: [f64; C] = *f.exp_saturating().first_chunk().expect("A is at least C");
-    let shadowed = channels(&visibility.product(&lobe), light);
+    let transfer = f.transfer(receiver.normal.map(f64::from));
+    let shadowed = channels(&transfer[..C], light);
     let open = channels(&lobe, light);
     std::array::from_fn(|i| shadowed[i].clamp(0.0, open[i].max(0.0)))
 }

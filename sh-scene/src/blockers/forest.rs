@@ -7,8 +7,8 @@ use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use std::ops::Range;
 
-/// A node of the tree: 32 bytes, as `struct Node { center: vec3f, radius: f32, area: f32, parent: u32, skip: u32,
-/// sphere: u32 }` in WGSL.
+/// A node of the tree: 48 bytes, as `struct Node { center: vec3f, radius: f32, area: f32, parent: u32, skip: u32,
+/// sphere: u32, weight: f32, object: u32 }` in WGSL.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct Node {
@@ -24,6 +24,12 @@ pub struct Node {
     pub skip: u32,
     /// Which sphere of the scene a leaf is; `u32::MAX` for others.
     pub sphere: u32,
+    /// What a leaf's log visibility is multiplied with; of others the mean of those below by their squared radii.
+    pub weight: f32,
+    /// The body that all leaves below are of, as [`crate::Receiver::object`] has it; 0 where they are of several.
+    pub object: u32,
+    /// 0.
+    pub unused: [u32; 2],
 }
 
 impl Node {
@@ -49,6 +55,8 @@ pub const NEGLIGIBLE: f32 = 1.0 / 512.0;
 pub struct Forest {
     nodes: Vec<Node>,
     spheres: usize,
+    /// What each sphere's log visibility is multiplied with.
+    weights: Vec<f32>,
     /// The node that stands for each object; that of no spheres has none.
     roots: Vec<Option<u32>>,
 }
@@ -70,6 +78,25 @@ impl Forest {
     /// assert!(forest.nodes()[0].radius >= 4.5);
     /// ```
     pub fn new(spheres: &[Sphere], counts: &[usize]) -> Self {
+        Self::weighted(spheres, &vec![1.0; spheres.len()], counts)
+    }
+
+    /// As [`new`](Self::new), each sphere with a weight: what its log visibility is multiplied with. The logarithms of
+    /// spheres that overlap add up, though each direction is hidden only once; with weights the sum hides what the body
+    /// does that they stand for.
+    ///
+    /// # Panics
+    /// If the counts do not add up to the number of spheres, or there are not as many weights.
+    ///
+    /// ```
+    /// use sh_scene::{Forest, Sphere};
+    /// let ball = Sphere { center: [0.0; 3], radius: 1.0 };
+    /// // The same sphere twice hides what one does.
+    /// let twice = Forest::weighted(&[ball, ball], &[0.5, 0.5], &[2]);
+    /// assert_eq!(twice.nodes()[0].weight, 0.5);
+    /// ```
+    pub fn weighted(spheres: &[Sphere], weights: &[f32], counts: &[usize]) -> Self {
+        assert_eq!(weights.len(), spheres.len(), "a weight for each sphere");
         let total: usize = counts.iter().sum();
         assert_eq!(total, spheres.len(), "spheres of all objects together");
         let mut roots = Vec::new();
@@ -91,10 +118,12 @@ impl Forest {
         if let Some(root) = raise(roots) {
             lay(&root, 0, &mut nodes);
         }
+        let roots = roots_of(&mut nodes, &ends);
         let mut forest = Self {
-            roots: roots_of(&nodes, &ends),
+            roots,
             nodes,
             spheres: total,
+            weights: weights.to_vec(),
         };
         forest.update(spheres);
         forest
@@ -172,21 +201,36 @@ impl Forest {
     /// Puts a leaf where its sphere is, or a ball around what lies directly below a node.
     fn refit(&mut self, at: usize, spheres: &[Sphere]) {
         let skip = self.nodes[at].skip as usize;
-        let (ball, area) = if skip == at + 1 {
-            let sphere = spheres[self.nodes[at].sphere as usize];
-            (sphere, sphere.radius * sphere.radius)
+        let (ball, area, weight) = if skip == at + 1 {
+            let index = self.nodes[at].sphere as usize;
+            let sphere = if spheres[index].is_finite() {
+                spheres[index]
+            } else {
+                Sphere::NONE
+            };
+            let area = sphere.radius * sphere.radius;
+            (sphere, area, self.weights[index])
         } else {
             let mut child = at + 1;
-            let (mut ball, mut area) = (self.nodes[child].ball(), 0.0);
+            let (mut ball, mut area, mut weight) = (self.nodes[child].ball(), 0.0, 0.0);
             while child < skip {
-                ball = enclosing(ball, self.nodes[child].ball());
-                area += self.nodes[child].area;
-                child = self.nodes[child].skip as usize;
+                let below = &self.nodes[child];
+                // What blocks nothing needs no room.
+                ball = match (ball.radius > 0.0, below.radius > 0.0) {
+                    (true, true) => enclosing(ball, below.ball()),
+                    (false, true) => below.ball(),
+                    _ => ball,
+                };
+                area += below.area;
+                weight += below.area * below.weight;
+                child = below.skip as usize;
             }
-            (ball, area)
+            let mean = weight / area;
+            (ball, area, if mean.is_finite() { mean } else { 1.0 })
         };
         let node = &mut self.nodes[at];
         (node.center, node.radius, node.area) = (ball.center, ball.radius, area);
+        node.weight = weight;
     }
 
     /// All nodes: the root first, each before those below it.
@@ -239,7 +283,7 @@ impl Forest {
         let leaves = self.nodes.iter().enumerate();
         leaves
             .filter(|(at, node)| node.is_leaf(*at))
-            .map(|(_, node)| Blocker::new(node.ball()))
+            .map(|(_, node)| Blocker::of(node))
     }
 }
 
@@ -252,13 +296,14 @@ impl Node {
     }
 }
 
-/// The highest node of each object; `ends` are the spheres up to each object's last.
-fn roots_of(nodes: &[Node], ends: &[usize]) -> Vec<Option<u32>> {
+/// The highest node of each object, of whose body all nodes below become; `ends` are the spheres up to each object's last.
+fn roots_of(nodes: &mut [Node], ends: &[usize]) -> Vec<Option<u32>> {
     let mut roots = vec![None; ends.len()];
     let object = |leaf: &Node| ends.partition_point(|&end| end <= leaf.sphere as usize);
     // From the last node on the objects of each are known before those above it.
     let mut spans: Vec<(usize, usize)> = vec![(0, 0); nodes.len()];
-    for (at, node) in nodes.iter().enumerate().rev() {
+    for at in (0..nodes.len()).rev() {
+        let node = &nodes[at];
         spans[at] = if node.is_leaf(at) {
             (object(node), object(node))
         } else {
@@ -274,6 +319,7 @@ fn roots_of(nodes: &[Node], ends: &[usize]) -> Vec<Option<u32>> {
             && low == high
         {
             roots[low] = Some(at as u32);
+            nodes[at].object = low as u32 + 1;
         }
     }
     roots
@@ -289,6 +335,9 @@ fn lay(part: &Part, parent: u32, nodes: &mut Vec<Node>) {
         parent,
         skip: 0,
         sphere: part.leaf.unwrap_or(u32::MAX),
+        weight: 1.0,
+        object: 0,
+        unused: [0; 2],
     });
     for child in &part.children {
         lay(child, at as u32, nodes);

@@ -14,20 +14,19 @@ pub use bounds::{Bounds, Side};
 pub use forest::{Forest, NEGLIGIBLE, Node};
 
 use crate::Sphere;
-use bytemuck::{Pod, Zeroable};
 
-/// A blocker of a cut: 48 bytes, as `struct Blocker { center: vec3f, radius: f32, weights: array<vec4f, 2> }` in
-/// WGSL.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+/// A blocker of a cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blocker {
     /// Centre, in metres.
     pub center: [f32; 3],
     /// Radius, in metres.
     pub radius: f32,
-    /// The ratio vector w of Ren et al. 2006, equation 37: what band l of the sphere's log visibility is
-    /// multiplied with. Six bands; the rest is 0.
-    pub weights: [f32; 8],
+    /// What band l of the sphere's log visibility is multiplied with: its weight, or the ratio vector w of Ren et al. 2006,
+    /// equation 37.
+    pub weights: [f32; 6],
+    /// The body that it is of, as [`crate::Receiver::object`] has it; 0 where it is of none or of several.
+    pub object: u32,
 }
 
 impl Blocker {
@@ -35,15 +34,27 @@ impl Blocker {
     pub const NONE: Self = Self {
         center: [0.0; 3],
         radius: 0.0,
-        weights: [0.0; 8],
+        weights: [0.0; 6],
+        object: 0,
     };
 
-    /// A sphere that stands for itself.
+    /// A sphere of no body that stands for itself.
     pub fn new(sphere: Sphere) -> Self {
         Self {
             center: sphere.center,
             radius: sphere.radius,
-            weights: [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0],
+            weights: [1.0; 6],
+            object: 0,
+        }
+    }
+
+    /// A node of a tree with the weight of a leaf.
+    pub fn of(node: &Node) -> Self {
+        Self {
+            center: node.center,
+            radius: node.radius,
+            weights: [node.weight; 6],
+            object: node.object,
         }
     }
 }

@@ -22,6 +22,8 @@ fn scene(spheres: usize, shadows: bool) -> Scene {
             };
             spheres
         ],
+        weights: Vec::new(),
+        part_of: None,
         surface: Default::default(),
     };
     Scene {

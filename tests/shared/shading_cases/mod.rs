@@ -49,9 +49,7 @@ struct Worst {
     stacked: f32,
     /// Hundreds of spheres of one body.
     body: f32,
-    /// A sphere that touches the receiver's plane in front of it and hides all. The lower half of the sky stays
-    /// in the visibility, as what is behind a receiver does not count. Its mean and its band 1 should cancel in
-    /// the lobe, and do as far as the fit has them right.
+    /// A sphere that touches the receiver's plane in front of it and hides all.
     half_space: f32,
     /// A closed shell of small spheres around the receiver.
     shell: f32,
@@ -61,11 +59,11 @@ struct Worst {
 
 fn worst(order: usize) -> Worst {
     let [stacked, body, half_space, shell, sun] = match order {
-        2 => [0.54, 0.38, 0.12, 0.45, 0.18],
-        3 => [0.55, 0.38, 0.035, 0.05, 0.01],
-        4 => [0.39, 0.23, 0.03, 0.037, 0.05],
-        5 => [0.20, 0.22, 0.018, 0.008, 0.01],
-        _ => [0.15, 0.19, 0.007, 0.001, 0.026],
+        2 => [0.57, 0.43, 0.044, 0.33, 0.05],
+        3 => [0.53, 0.40, 0.037, 0.046, 0.04],
+        4 => [0.30, 0.18, 0.006, 0.010, 0.004],
+        5 => [0.13, 0.18, 0.004, 0.001, 0.002],
+        _ => [0.16, 0.11, 0.014, 0.002, 0.004],
     };
     Worst {
         stacked,

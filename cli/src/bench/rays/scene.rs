@@ -40,7 +40,7 @@ pub(super) struct Lights {
 impl Lights {
     pub(super) fn new() -> Result<Self, Error> {
         let map = Sky::default().map(256, 128);
-        let projected = ORDERS.map(|order| Light::project_smoothly(&map, None, order));
+        let projected = ORDERS.map(|order| Light::project(&map, None, order, f32::INFINITY));
         let projected: Vec<Light> = projected.into_iter().collect::<Result<_, _>>()?;
         let order_4 = std::array::from_fn(|i| projected[1].coefficients[i].into());
         Ok(Self {

@@ -1,0 +1,16 @@
+// How the shadow pass sums blockers up: by the logarithm that goes with sh$A_transfer, with the spheres' weights.
+
+#import shared/records
+#import library
+
+fn log_of_cap(sine: f32, cosine: f32) -> array<f32, $A> {
+    return sh$A_cap_log_shading(sine, cosine);
+}
+
+fn add_blocker(sum: array<f32, $B>, seen: Blocker, weights: array<f32, $A>) -> array<f32, $B> {
+    return sh$A_accumulate_blocker(sum, seen.sine, seen.cosine, seen.direction, weights);
+}
+
+fn weight_of(node: Node) -> f32 {
+    return node.weight;
+}
