@@ -11,8 +11,9 @@
 //! ```
 //! (the form factor of a sphere, Snyder 1996, "Area light sources for real-time graphics"), and a circle of radius θ that
 //! touches the horizon hides sin³ θ: sin θ = F^(1/3). It is that of a ball which touches the plane at the foot of the centre,
-//! whose radius [`Routines::horizon_radius`] tells without a root. Where a ball just touches the plane both agree, and as it sinks F goes to 0: nothing jumps. The self-shadow rule of Ren et al. 2006, section 6.2, lets a cut ball
-//! shrink to nothing as the receiver comes near: a body that stands on the ground has no shadow at its foot then.
+//! whose radius [`Routines::horizon_radius`] tells without a root. Where a ball just touches the plane both agree, and as it
+//! sinks F goes to 0: nothing jumps. The self-shadow rule of Ren et al. 2006, section 6.2, lets a cut ball shrink to nothing
+//! as the receiver comes near: a body that stands on the ground has no shadow at its foot then.
 //!
 //! From inside a ball one is seen that reaches to the receiver, about a half space towards the centre; what is sunk deeper
 //! than the receiver is inside does not count. At the very centre, the one place where the circle jumps, there is no

@@ -44,9 +44,9 @@ fn open_ground_gets_all_of_a_disc_at_every_order() {
         .map(|i| {
             let height = 1.0 - (i as f32 + 0.5) / 20_000.0 * (1.0 - angle.cos());
             let (sin, cos) = (i as f32 * 2.399_963_2 % std::f32::consts::TAU).sin_cos();
-            let [x, y] = [direction.any_orthonormal_vector(); 2];
+            let x = direction.any_orthonormal_vector();
             let flat = (1.0 - height * height).sqrt();
-            direction * height + (x * cos + direction.cross(y) * sin) * flat
+            direction * height + (x * cos + direction.cross(x) * sin) * flat
         })
         .collect();
     let each = 2.0 * (1.0 - angle.cos()) / rays.len() as f32;

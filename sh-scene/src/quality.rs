@@ -16,7 +16,7 @@ pub enum Quality {
     /// The middle, and what is taken where nothing is said: the paper's order, 2.4 % off.
     #[default]
     Balanced,
-    /// The sharpest light and the truest shadows, 1.9 % off, at about three times the time a receiver.
+    /// The sharpest light and the truest shadows, 1.9 % off.
     Accurate,
 }
 

@@ -8,7 +8,7 @@
 //! | `horizon.txt` | polynomials of the circle that stands for a sphere under a horizon | its form factor |
 //! | `lens.txt` | polynomials of the common part of two discs | its inverse cosines |
 //! | `optimal_linear.txt` | factors of the optimal linear exponential | circles |
-//! | `shading.txt` | compression of the shadow pass's exponential | true transfers, together with its logarithm |
+//! | `shading.txt` | compression of the shadow pass's exponential, and polynomials of its logarithm | true transfers |
 //! | `saturating.txt` | compression and gains of the saturating exponential | true visibilities, together with its logarithm |
 //!
 //! The library compiles the files in. A test refits and compares.

@@ -120,6 +120,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
     } = load(options, &progress)?;
     times.add("read", loaded.read_time.as_secs_f64());
     times.add("fit spheres", loaded.fit_time.as_secs_f64());
+    times.add("weights", loaded.weight_time.as_secs_f64());
     if !loaded.surfaces.is_empty() {
         times.add("surfaces", loaded.surface_time.as_secs_f64());
     }

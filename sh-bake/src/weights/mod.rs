@@ -33,7 +33,8 @@ pub(crate) struct Pose {
 
 /// Weights for the spheres that block light in the place of `meshes`, all in one space, in which `up` is up: not below 0,
 /// one a sphere. Takes about half a second for 64 spheres on two cores; the same input gives the same weights, whatever the
-/// number of threads. Meshes without triangles, and no spheres, give weights of 1.
+/// number of threads. Of more than 512 spheres neighbours share a weight. Meshes without triangles, and no spheres, give
+/// weights of 1.
 ///
 /// ```
 /// use sh_bake::{shapes, weights};

@@ -93,13 +93,13 @@ pub(super) fn on(meshes: &[Mesh], radius: f64) -> Vec<Place> {
         }
     }
     let place = |i: usize| {
-        let [u, v, w, ..] = even::<5>(i);
+        let [u, across, along, ..] = even::<5>(i);
         let at = triangles.partition_point(|(until, ..)| *until < u * total);
         let (_, m, t) = *triangles.get(at)?;
         let (mesh, corners) = (&meshes[m], meshes[m].triangles[t]);
         let [a, b, c] = corners.map(|i| DVec3::from(mesh.positions[i as usize].map(f64::from)));
-        let (root, v) = (v.sqrt(), w);
-        let weights = [1.0 - root, root * (1.0 - v), root * v];
+        let root = across.sqrt();
+        let weights = [1.0 - root, root * (1.0 - along), root * along];
         let flat = (b - a).cross(c - a).normalize();
         let smooth = corners.iter().zip(weights).map(|(&i, w)| {
             let normal = mesh.normals.get(i as usize).copied().unwrap_or_default();
