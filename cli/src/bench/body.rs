@@ -1,11 +1,16 @@
 //! Bodies of capsules: rigid segments on joints, each with receivers on its surface and spheres along its axis.
 
+use super::capsule::Capsule;
 use glam::{Affine3A, Quat, Vec3};
+use sh_bake::weights_by;
 use sh_scene::{Receiver, Sphere};
 use std::f32::consts::{PI, TAU};
 
+/// Receivers on a body that its spheres' weights are found with, about.
+const WEIGHED: usize = 384;
+
 /// A joint that swings, and the capsule that hangs on it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
     /// The segment that the joint sits on; none: the body's root.
     pub parent: Option<usize>,
@@ -180,6 +185,48 @@ impl Body {
         parts
     }
 
+    /// Its segments in the world.
+    pub fn capsules(&self, poses: &[Affine3A]) -> Vec<Capsule> {
+        let capsule = |(segment, pose): (&Segment, &Affine3A)| Capsule {
+            from: pose.transform_point3(segment.from),
+            to: pose.transform_point3(segment.to),
+            radius: segment.radius,
+        };
+        self.segments.iter().zip(poses).map(capsule).collect()
+    }
+
+    /// A weight for each of its spheres, with which they block what its capsules do, where they are at first.
+    fn weights(&self) -> Vec<f32> {
+        let mut poses = Vec::new();
+        self.pose(0.0, &mut poses);
+        let (parts, capsules) = (self.parts(1), self.capsules(&poses));
+        let on = |(s, sphere): &(usize, Sphere)| placed_sphere(sphere, &poses[*s]);
+        let spheres: Vec<Sphere> = parts.spheres.iter().map(on).collect();
+        let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        for capsule in &capsules {
+            low = low.min(capsule.from.min(capsule.to) - capsule.radius);
+            high = high.max(capsule.from.max(capsule.to) + capsule.radius);
+        }
+        let around = Sphere {
+            center: (0.5 * (low + high)).into(),
+            radius: 0.5 * low.distance(high),
+        };
+        let above = |(s, receiver): &(usize, Receiver)| {
+            let Receiver {
+                position, normal, ..
+            } = placed(receiver, &poses[*s]);
+            let up = Vec3::from(normal) * (2e-3 * around.radius);
+            ((Vec3::from(position) + up).into(), normal)
+        };
+        let each = parts.receivers.len().div_ceil(WEIGHED).max(1);
+        let surface: Vec<_> = parts.receivers.iter().step_by(each).map(above).collect();
+        let blocked = |from: [f32; 3], way: [f32; 3]| {
+            let (from, way) = (from.into(), way.into());
+            capsules.iter().any(|capsule| capsule.meets(from, way))
+        };
+        weights_by(&spheres, around, [0.0, 1.0, 0.0], &surface, &blocked)
+    }
+
     /// World from segment for every segment at a time in seconds.
     pub fn pose(&self, seconds: f32, out: &mut Vec<Affine3A>) {
         let root = self.way.at(self.place, 0.3 * self.pace * seconds);
@@ -190,6 +237,42 @@ impl Body {
             let turn = Quat::from_axis_angle(segment.axis.normalize(), angle);
             out.push(parent * Affine3A::from_rotation_translation(turn, segment.joint));
         }
+    }
+}
+
+/// A weight for each sphere of some bodies, one after another; those that are alike are weighed once.
+pub fn weights(bodies: &[Body]) -> Vec<f32> {
+    let mut known: Vec<(&Body, Vec<f32>)> = Vec::new();
+    let mut all = Vec::new();
+    for body in bodies {
+        let alike = |(other, _): &&(&Body, Vec<f32>)| {
+            other.segments == body.segments && other.spheres == body.spheres
+        };
+        if let Some((_, weights)) = known.iter().find(alike) {
+            all.extend(weights);
+        } else {
+            let weights = body.weights();
+            all.extend(&weights);
+            known.push((body, weights));
+        }
+    }
+    all
+}
+
+/// A receiver on a segment, in the world.
+pub fn placed(receiver: &Receiver, pose: &Affine3A) -> Receiver {
+    Receiver {
+        position: pose.transform_point3(receiver.position.into()).into(),
+        normal: pose.transform_vector3(receiver.normal.into()).into(),
+        ..*receiver
+    }
+}
+
+/// A sphere on a segment, in the world.
+pub fn placed_sphere(sphere: &Sphere, pose: &Affine3A) -> Sphere {
+    Sphere {
+        center: pose.transform_point3(sphere.center.into()).into(),
+        ..*sphere
     }
 }
 

@@ -1,6 +1,7 @@
 //! `gaunt bench`: how fast whole scenes are shaded, and how near that is to what the machine can do.
 
 mod body;
+mod capsule;
 mod frames;
 mod lights;
 mod peak;

@@ -110,10 +110,11 @@ pub fn measure(rounds: usize) -> Result<Scaling, Error> {
 
 fn row(spheres: usize, density: [usize; 2], rounds: usize) -> Result<Row, Error> {
     let path = Path::best();
-    let (balls, counts) = crowd(spheres);
+    let bodies = crowd(spheres);
+    let (balls, counts) = standing(&bodies);
     let (receivers, clusters) = floor(density);
     let light = Light::project(&Sky::default().map(256, 128), None, ORDER, f32::INFINITY)?;
-    let mut forest = Forest::new(&balls, &counts);
+    let mut forest = Forest::weighted(&balls, &body::weights(&bodies), &counts);
     let mut tree_ms = f64::INFINITY;
     let mut ways = [Limits::default(), Limits::LEAVES].map(|limits| Way {
         options: CutOptions {
@@ -202,38 +203,34 @@ impl Way {
     }
 }
 
-/// Bodies of about 62 spheres, together so many, on a square of ground around the origin; the spheres of each body
-/// follow one another.
-fn crowd(spheres: usize) -> (Vec<Sphere>, Vec<usize>) {
+/// Bodies of about 62 spheres, together so many, on a square of ground around the origin.
+fn crowd(spheres: usize) -> Vec<Body> {
     let bodies = spheres.div_ceil(OF_A_BODY + 1);
     let side = (bodies as f32).sqrt().ceil() as usize;
-    let mut all = Vec::with_capacity(spheres);
-    let mut counts = Vec::with_capacity(bodies);
-    for i in 0..bodies {
-        let at = |k: usize| APART * (k as f32 - 0.5 * (side as f32 - 1.0));
-        let body = Body {
-            segments: character(1.0, 0.14),
-            receivers: 100,
-            spheres: (i + 1) * spheres / bodies - i * spheres / bodies,
-            clusters: 1,
-            place: Vec3::new(at(i % side), 0.0, at(i / side)),
-            way: body::Way::Circle(0.4),
-            pace: 1.0,
-            albedo: [0.0; 3],
-        };
+    let at = |k: usize| APART * (k as f32 - 0.5 * (side as f32 - 1.0));
+    let body = |i: usize| Body {
+        segments: character(1.0, 0.14),
+        receivers: 100,
+        spheres: (i + 1) * spheres / bodies - i * spheres / bodies,
+        clusters: 1,
+        place: Vec3::new(at(i % side), 0.0, at(i / side)),
+        way: body::Way::Circle(0.4),
+        pace: 1.0,
+        albedo: [0.0; 3],
+    };
+    (0..bodies).map(body).collect()
+}
+
+/// Spheres of bodies that are each at another step, one body after another, and how many each has.
+fn standing(bodies: &[Body]) -> (Vec<Sphere>, Vec<usize>) {
+    let (mut all, mut counts) = (Vec::new(), Vec::new());
+    for (i, body) in bodies.iter().enumerate() {
         let mut poses: Vec<Affine3A> = Vec::new();
-        // Everybody at another step.
         body.pose(1.7 * i as f32, &mut poses);
         let parts = body.parts(i as u32 + 1);
         counts.push(parts.spheres.len());
-        all.extend(parts.spheres.iter().map(|(segment, sphere)| {
-            Sphere {
-                center: poses[*segment]
-                    .transform_point3(sphere.center.into())
-                    .into(),
-                ..*sphere
-            }
-        }));
+        let on = parts.spheres.iter();
+        all.extend(on.map(|(s, sphere)| body::placed_sphere(sphere, &poses[*s])));
     }
     (all, counts)
 }
@@ -359,7 +356,7 @@ mod tests {
     #[test]
     fn a_crowd_has_the_spheres_that_it_is_asked_for() {
         for spheres in SPHERES {
-            let (balls, counts) = crowd(spheres);
+            let (balls, counts) = standing(&crowd(spheres));
             assert_eq!(balls.len(), spheres);
             assert_eq!(counts.iter().sum::<usize>(), spheres);
             assert!(counts.iter().all(|n| (55..=65).contains(n)), "{counts:?}");

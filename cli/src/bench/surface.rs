@@ -2,20 +2,13 @@
 //! (Guerrero et al. 2008, section 4.2), in closed form.
 
 use super::body::{Body, Parts};
+use super::capsule::Capsule;
 use glam::{Affine3A, Quat, Vec3};
 use sh_scene::Sphere;
 use sh_scene::surface::{SurfacePoint, SurfaceSamples, directions};
 
 /// How far inside another capsule a point of the surface may lie, in metres.
 const DEPTH: f32 = 1e-4;
-
-/// A capsule of a body where it stands.
-#[derive(Clone, Copy, Debug)]
-struct Capsule {
-    from: Vec3,
-    to: Vec3,
-    radius: f32,
-}
 
 /// A body's surface, sampled once, and where it is now.
 #[derive(Clone, Debug)]
@@ -31,16 +24,7 @@ pub struct Surface {
 impl Surface {
     /// Samples a body whose segments are at `poses`; `parts` are its own.
     pub fn new(body: &Body, parts: &Parts, poses: &[Affine3A]) -> Self {
-        let capsules: Vec<Capsule> = body
-            .segments
-            .iter()
-            .zip(poses)
-            .map(|(segment, pose)| Capsule {
-                from: pose.transform_point3(segment.from),
-                to: pose.transform_point3(segment.to),
-                radius: segment.radius,
-            })
-            .collect();
+        let capsules = body.capsules(poses);
         let placed = |(segment, sphere): &(usize, Sphere)| {
             let center = poses[*segment].transform_point3(sphere.center.into());
             (center, sphere.radius)
@@ -123,50 +107,6 @@ fn seen(
     farthest.map(|(_, point, normal)| (point, normal))
 }
 
-impl Capsule {
-    /// The point of the axis that is nearest.
-    fn nearest(&self, p: Vec3) -> Vec3 {
-        let axis = self.to - self.from;
-        let t = (p - self.from).dot(axis) / axis.length_squared().max(f32::MIN_POSITIVE);
-        self.from + axis * t.clamp(0.0, 1.0)
-    }
-
-    fn distance(&self, p: Vec3) -> f32 {
-        p.distance(self.nearest(p)) - self.radius
-    }
-
-    /// Where a line leaves: the last of the places where it leaves one of both balls and the cylinder between them.
-    fn leaves(&self, origin: Vec3, towards: Vec3) -> Option<f32> {
-        let ball = |center: Vec3| {
-            let away = center - origin;
-            let middle = away.dot(towards);
-            let square = self.radius * self.radius - (away - towards * middle).length_squared();
-            (square >= 0.0).then(|| middle + square.sqrt())
-        };
-        let cylinder = || {
-            let axis = self.to - self.from;
-            let length = axis.length();
-            let axis = axis.try_normalize()?;
-            let away = origin - self.from;
-            // Across and along the axis.
-            let (start, rise) = (away.dot(axis), towards.dot(axis));
-            let (offset, flat) = (away - axis * start, towards - axis * rise);
-            let square = flat.length_squared();
-            let middle = -offset.dot(flat) / square;
-            let inner =
-                (self.radius * self.radius - (offset + flat * middle).length_squared()) / square;
-            if square < 1e-12 || inner < 0.0 {
-                return None;
-            }
-            let t = middle + inner.sqrt();
-            // Beyond the ends the balls count.
-            (0.0..=length).contains(&(start + rise * t)).then_some(t)
-        };
-        let all = [ball(self.from), ball(self.to), cylinder()];
-        all.into_iter().flatten().reduce(f32::max)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -202,16 +142,8 @@ mod tests {
             for body in &plan(name).bodies {
                 let (surface, poses) = sampled(body, 0.0);
                 assert_eq!(surface.now.spheres(), body.spheres);
-                let on = |p: Vec3| {
-                    body.segments.iter().zip(&poses).any(|(s, pose)| {
-                        let capsule = Capsule {
-                            from: pose.transform_point3(s.from),
-                            to: pose.transform_point3(s.to),
-                            radius: s.radius,
-                        };
-                        capsule.distance(p).abs() < 1e-4
-                    })
-                };
+                let capsules = body.capsules(&poses);
+                let on = |p: Vec3| capsules.iter().any(|c| c.distance(p).abs() < 1e-4);
                 let points = &surface.now.points;
                 assert!(points.len() > 10 * body.spheres, "{name:?}");
                 assert!(points.iter().all(|p| on(p.position.into())));

@@ -1,5 +1,6 @@
 //! A scene of bodies in motion: what a host keeps from frame to frame.
 
+use super::body::{self, placed, placed_sphere};
 use super::scenes::{Lamp, Plan};
 use super::sent::Sent;
 use super::surface::Surface;
@@ -99,7 +100,10 @@ impl World {
                 .iter()
                 .map(|(s, receiver)| (named(*s), *receiver))
                 .collect();
-            let placed: Vec<Receiver> = on.iter().map(|r| placed(r, &poses)).collect();
+            let placed: Vec<Receiver> = on
+                .iter()
+                .map(|(s, r)| placed(r, &poses[*s as usize]))
+                .collect();
             let groups = Clusters::new(&placed, body.clusters);
             if body.pace > 0.0 {
                 moving.extend(groups.sorted(&on));
@@ -116,13 +120,19 @@ impl World {
             still.push((groups.sorted(&on), groups.ranges));
         }
         let moving_clusters = clusters.len();
-        let mut receivers: Vec<Receiver> = moving.iter().map(|r| placed(r, &poses)).collect();
+        let mut receivers: Vec<Receiver> = moving
+            .iter()
+            .map(|(s, r)| placed(r, &poses[*s as usize]))
+            .collect();
         for (on, ranges) in still {
             clusters.extend(ranges.iter().map(|r| r.start + first..r.end + first));
             first += on.len();
             receivers.extend(on);
         }
-        let spheres: Vec<Sphere> = rest.iter().map(|s| placed_sphere(s, &poses)).collect();
+        let spheres: Vec<Sphere> = rest
+            .iter()
+            .map(|(s, sphere)| placed_sphere(sphere, &poses[*s as usize]))
+            .collect();
         let sky = Light::project(&Sky::default().map(256, 128), None, ORDER, f32::INFINITY)?;
         let lamp = |lamp: &Lamp| AreaLight {
             // The width is looked for once, not every frame.
@@ -132,7 +142,7 @@ impl World {
         };
         let mut world = Self {
             radiance: vec![[0.0; 3]; receivers.len()],
-            forest: Forest::new(&spheres, &counts),
+            forest: Forest::weighted(&spheres, &body::weights(&plan.bodies), &counts),
             light: sky.clone(),
             cuts: Cuts::default(),
             limits: Limits::default(),
@@ -209,12 +219,12 @@ impl World {
             .par_chunks_mut(CHUNK)
             .zip(self.moving.par_chunks(CHUNK))
             .for_each(|(now, rest)| {
-                for (now, rest) in now.iter_mut().zip(rest) {
-                    *now = placed(rest, poses);
+                for (now, (segment, rest)) in now.iter_mut().zip(rest) {
+                    *now = placed(rest, &poses[*segment as usize]);
                 }
             });
-        for (now, rest) in self.spheres.iter_mut().zip(&self.rest) {
-            *now = placed_sphere(rest, poses);
+        for (now, (segment, rest)) in self.spheres.iter_mut().zip(&self.rest) {
+            *now = placed_sphere(rest, &poses[*segment as usize]);
         }
         if let Some(sent) = &mut self.sent {
             sent.pose(poses);
@@ -295,22 +305,4 @@ fn timed<T>(spent: &mut f64, work: impl FnOnce() -> T) -> T {
     let result = work();
     *spent = start.elapsed().as_secs_f64() * 1e3;
     result
-}
-
-fn placed((segment, receiver): &(u32, Receiver), poses: &[Affine3A]) -> Receiver {
-    let pose = &poses[*segment as usize];
-    Receiver {
-        position: pose.transform_point3(receiver.position.into()).into(),
-        normal: pose.transform_vector3(receiver.normal.into()).into(),
-        ..*receiver
-    }
-}
-
-fn placed_sphere((segment, sphere): &(u32, Sphere), poses: &[Affine3A]) -> Sphere {
-    Sphere {
-        center: poses[*segment as usize]
-            .transform_point3(sphere.center.into())
-            .into(),
-        radius: sphere.radius,
-    }
 }

@@ -8,7 +8,7 @@ use obvhs::ray::Ray;
 use obvhs::rt_triangle::RtTriangle;
 use obvhs::triangle::Triangle;
 use sh_scene::Receiver;
-use std::f32::consts::{PI, TAU};
+use std::f32::consts::TAU;
 use std::time::Duration;
 
 /// Metres that a ray starts above its surface, and the nearest hit that counts.
@@ -157,66 +157,10 @@ fn hash(mut x: u32) -> u32 {
     x ^ (x >> 16)
 }
 
-/// A capsule in the world.
-#[derive(Clone, Copy, Debug)]
-pub struct Capsule {
-    /// One end of its axis.
-    pub from: Vec3,
-    /// The other end.
-    pub to: Vec3,
-    /// Its radius.
-    pub radius: f32,
-}
-
-impl Capsule {
-    /// Whether a point is deeper inside than `depth` metres.
-    pub fn holds(&self, point: Vec3, depth: f32) -> bool {
-        let axis = self.to - self.from;
-        let t = (point - self.from).dot(axis) / axis.length_squared().max(f32::MIN_POSITIVE);
-        let nearest = self.from + axis * t.clamp(0.0, 1.0);
-        point.distance(nearest) < self.radius - depth
-    }
-
-    /// The surface with so many triangles around; every corner lies on the capsule.
-    pub fn triangles(&self, around: usize, out: &mut Vec<Triangle>) {
-        let up = (self.to - self.from).normalize_or(Vec3::Y);
-        let (side, front) = up.any_orthonormal_pair();
-        let rows = around / 4;
-        // Latitudes from pole to pole; the equator twice, once for each end.
-        let south = (0..=rows).map(|row| (self.from, row as f32 / rows as f32 - 1.0));
-        let north = (0..=rows).map(|row| (self.to, row as f32 / rows as f32));
-        let rings: Vec<(Vec3, f32)> = south.chain(north).collect();
-        let point = |(center, latitude): (Vec3, f32), column: usize| {
-            let (rise, flat) = (0.5 * PI * latitude).sin_cos();
-            let (sin, cos) = (TAU * column as f32 / around as f32).sin_cos();
-            Vec3A::from(center + self.radius * (up * rise + (side * cos + front * sin) * flat))
-        };
-        for pair in rings.windows(2) {
-            for column in 0..around {
-                let [a, b] = [column, column + 1].map(|column| point(pair[0], column));
-                let [c, d] = [column + 1, column].map(|column| point(pair[1], column));
-                if pair[0].1 > -1.0 {
-                    out.push(Triangle {
-                        v0: a,
-                        v1: b,
-                        v2: c,
-                    });
-                }
-                if pair[1].1 < 1.0 {
-                    out.push(Triangle {
-                        v0: a,
-                        v1: c,
-                        v2: d,
-                    });
-                }
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bench::capsule::Capsule;
 
     const UP: Receiver = Receiver {
         position: [0.0; 3],
@@ -296,6 +240,5 @@ mod tests {
                 assert!(!caster.open(middle, *d) && !caster.open(middle, -*d));
             }
         }
-        assert!(capsule.holds(capsule.to, 0.1) && !capsule.holds(Vec3::ZERO, 0.0));
     }
 }

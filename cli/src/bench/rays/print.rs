@@ -14,23 +14,16 @@ impl Comparison {
             "{} receivers, {} triangles (their hierarchy takes {:.0} ms to build, which is not counted), {} threads.\n\n",
             self.receivers, self.triangles, self.build_ms, self.threads
         );
-        text.push_str("| light | accumulated at | ns a receiver | error | rays for the same error | their time / ours | error by spheres | by harmonics | by hierarchy | error against the raw sky | rays | time / ours |\n|");
-        text.push_str(&"---|".repeat(12));
+        text.push_str("| light | accumulated at | ns a receiver | error | rays for the same error | their time / ours | error of the leaves | by hierarchy | error against the raw sky | rays | time / ours |\n|");
+        text.push_str(&"---|".repeat(11));
         text.push('\n');
         // Writing to a string cannot fail.
         for row in &self.ours {
-            let percent = [
-                row.error,
-                row.spheres,
-                row.harmonics,
-                row.hierarchy,
-                row.raw_error,
-            ]
-            .map(|e| 100.0 * e);
-            let [error, spheres, harmonics, hierarchy, raw] = percent;
+            let percent = [row.error, row.leaves, row.hierarchy, row.raw_error].map(|e| 100.0 * e);
+            let [error, leaves, hierarchy, raw] = percent;
             let _ = writeln!(
                 text,
-                "| {} | {} | {:.0} | {error:.2} % | {:.0} | {:.0} | {spheres:.2} % | {harmonics:.2} % | {hierarchy:.2} % | {raw:.1} % | {:.1} | {:.1} |",
+                "| {} | {} | {:.0} | {error:.2} % | {:.0} | {:.0} | {leaves:.2} % | {hierarchy:.2} % | {raw:.1} % | {:.1} | {:.1} |",
                 row.order,
                 row.accumulation,
                 row.ns,
@@ -63,8 +56,7 @@ impl Comparison {
                 "accumulation_order": row.accumulation,
                 "ns": row.ns,
                 "rms": row.error,
-                "rms_spheres": row.spheres,
-                "rms_harmonics": row.harmonics,
+                "rms_leaves": row.leaves,
                 "rms_hierarchy": row.hierarchy,
                 "equal_error": equal(&row.equal),
                 "raw_rms": row.raw_error,

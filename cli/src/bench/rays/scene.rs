@@ -1,8 +1,9 @@
 //! The scene as rays and ours see it, and the frames of ours.
 
-use super::cast::{Capsule, Caster, Samples};
-use super::{CHUNK, LIGHTS, MOMENT, ORDERS, Ours, Rays, equal, rms, spheres};
+use super::cast::{Caster, Samples};
+use super::{AROUND, CHUNK, EVERY, LIGHTS, MOMENT, ORDERS, Ours, Rays, equal, rms};
 use crate::Error;
+use crate::bench::capsule::Capsule;
 use crate::bench::scenes::{Name, plan};
 use crate::bench::world::World;
 use glam::{Affine3A, Vec3A};
@@ -14,20 +15,13 @@ use std::time::Instant;
 
 /// What the bodies of the scene are made of, where they are.
 pub(super) fn capsules() -> Vec<Capsule> {
-    let bodies = plan(Name::Battle).bodies;
-    let mut poses: Vec<Affine3A> = Vec::new();
-    for body in &bodies {
+    let mut capsules = Vec::new();
+    for body in &plan(Name::Battle).bodies {
+        let mut poses: Vec<Affine3A> = Vec::new();
         body.pose(MOMENT, &mut poses);
+        capsules.extend(body.capsules(&poses));
     }
-    let segments = bodies.iter().flat_map(|body| &body.segments);
-    segments
-        .zip(&poses)
-        .map(|(segment, pose)| Capsule {
-            from: pose.transform_point3(segment.from),
-            to: pose.transform_point3(segment.to),
-            radius: segment.radius,
-        })
-        .collect()
+    capsules
 }
 
 /// The sky, and what spherical harmonics make of it.
@@ -89,17 +83,42 @@ pub(super) struct Scene {
 }
 
 impl Scene {
+    /// At its moment, and the milliseconds of building the hierarchy for rays.
+    pub(super) fn new() -> Result<(Self, f64), Error> {
+        let mut world = World::new(plan(Name::Battle))?;
+        world.pose(MOMENT);
+        world.forest.update(&world.spheres);
+        let capsules = capsules();
+        let mut triangles = Vec::new();
+        for capsule in &capsules {
+            capsule.triangles(AROUND, &mut triangles);
+        }
+        let start = Instant::now();
+        let caster = Caster::new(&triangles);
+        let build_ms = start.elapsed().as_secs_f64() * 1e3;
+        // What lies inside a body is seen by nobody.
+        let seen = |r: &Receiver| {
+            !capsules
+                .iter()
+                .any(|c| c.distance(r.position.into()) < -1e-4)
+        };
+        let subset: Vec<usize> = (0..world.receivers.len())
+            .step_by(EVERY)
+            .filter(|&i| seen(&world.receivers[i]))
+            .collect();
+        let scene = Self {
+            lights: Lights::new()?,
+            receivers: subset.iter().map(|&i| world.receivers[i]).collect(),
+            subset,
+            caster,
+            world,
+        };
+        Ok((scene, build_ms))
+    }
+
     pub(super) fn cast(&self, samples: &Samples) -> Vec<[Vec3A; LIGHTS]> {
         let shade =
             |(i, r): (usize, &Receiver)| self.caster.shade(r, i, samples, |d| self.lights.all(d));
-        self.receivers.par_iter().enumerate().map(shade).collect()
-    }
-
-    pub(super) fn spheres(&self, samples: &Samples) -> Vec<[Vec3A; LIGHTS]> {
-        let balls = &self.world.spheres;
-        let shade = |(i, r): (usize, &Receiver)| {
-            spheres::shade(r, i, samples, balls, |d| self.lights.all(d))
-        };
         self.receivers.par_iter().enumerate().map(shade).collect()
     }
 
@@ -185,11 +204,15 @@ impl Frame {
         radiance.collect()
     }
 
+    /// Of the subset, under the light's own order.
+    pub(super) fn error(&self, scene: &Scene, truth: &[[Vec3A; LIGHTS]]) -> f64 {
+        rms(&self.looked_at(scene), 0, truth, self.light)
+    }
+
     pub(super) fn result(
         &self,
         scene: &Scene,
         truth: &[[Vec3A; LIGHTS]],
-        exact: &[[Vec3A; LIGHTS]],
         rays: &[Rays],
     ) -> Result<Ours, Error> {
         let (light, raw) = (self.light, LIGHTS - 1);
@@ -197,7 +220,7 @@ impl Frame {
         leaves.shade(scene, &scene.world.forest, Limits::LEAVES)?;
         let (leaves, looked_at) = (leaves.looked_at(scene), self.looked_at(scene));
         let ns = self.seconds * 1e9 / scene.world.receivers.len() as f64;
-        let error = rms(&looked_at, 0, truth, light);
+        let error = self.error(scene, truth);
         let raw_error = rms(&looked_at, 0, truth, raw);
         let curve = |light: usize, ns: fn(&Rays) -> f64| -> Vec<[f64; 3]> {
             let point = |r: &Rays| [f64::from(r.count), r.errors[light], ns(r)];
@@ -208,8 +231,7 @@ impl Frame {
             accumulation: self.accumulation,
             error,
             raw_error,
-            spheres: rms(exact, light, truth, light),
-            harmonics: rms(&leaves, 0, exact, light),
+            leaves: rms(&leaves, 0, truth, light),
             hierarchy: rms(&looked_at, 0, &leaves, 0),
             ns,
             equal: equal(&curve(light, |r| r.ns), error, ns),
