@@ -57,17 +57,11 @@ where
     [L; C]: Routines<L>,
     [L; 4]: Routines<L>,
 {
-    let zero = point.object.lift(0.0);
     let mut sum = *sum;
-    let nothing = Seen {
-        sine: zero,
-        cosine: zero,
-        direction: [zero; 3],
-    };
-    let mut batch = [nothing; BATCH];
+    let mut batch = [nothing(point); BATCH];
     for blockers in blockers.front.chunks(BATCH) {
         for (seen, blocker) in batch.iter_mut().zip(blockers) {
-            *seen = look(blocker, true, point);
+            *seen = whole(blocker, point);
         }
         add_all(&mut sum, batch.iter().zip(blockers));
     }
@@ -75,18 +69,8 @@ where
     let mut counting = [&Blocker::NONE; BATCH];
     let mut count = 0;
     for blocker in blockers.across {
-        let center = each(|k| zero.lift(f64::from(blocker.center[k])) - point.position[k]);
-        let radius = zero.lift(f64::from(blocker.radius));
-        let height = dot(center, point.normal);
-        if L::any((-radius).lt(height)) {
-            let own = point.owns(blocker);
-            // Beyond this a ball of the own body counts as others do.
-            let reach = radius * radius * own * zero.lift(1.0 / (1.0 - sh_core::seen::OWN));
-            batch[count] = if L::any(height.lt(radius)) || L::any(dot(center, center).lt(reach)) {
-                Seen::above(center, point.normal, radius, own)
-            } else {
-                Seen::whole(center, radius)
-            };
+        if let Some(seen) = above(blocker, point) {
+            batch[count] = seen;
             counting[count] = blocker;
             count += 1;
             if count == BATCH {
@@ -113,21 +97,68 @@ fn add_all<'a, L: Lane + 'a, const C: usize>(
     }
 }
 
-/// A blocker as receivers see it: as it is where it lies `in_front` of their tangent planes and far from those of its own
-/// body, otherwise by the rule of [`Seen::above`].
+/// A blocker that lies in front of all tangent planes, and is none of the own body's near by.
+#[inline(always)]
+pub(crate) fn whole<L: Lane>(blocker: &Blocker, point: &Point<L>) -> Seen<L> {
+    let radius = point.object.lift(f64::from(blocker.radius));
+    Seen::whole(seen_from(blocker, point), radius)
+}
+
+/// A blocker by the rule of [`Seen::above`], which is left out where no receiver needs it; none where it lies behind all
+/// tangent planes.
+#[inline(always)]
+pub(crate) fn above<L: Lane>(blocker: &Blocker, point: &Point<L>) -> Option<Seen<L>>
+where
+    [L; 4]: Routines<L>,
+{
+    let center = seen_from(blocker, point);
+    let radius = point.object.lift(f64::from(blocker.radius));
+    let height = dot(center, point.normal);
+    if !L::any((-radius).lt(height)) {
+        return None;
+    }
+    let own = point.owns(blocker);
+    // Beyond this a ball of the own body counts as others do.
+    let reach = radius * radius * own * radius.lift(1.0 / (1.0 - sh_core::seen::OWN));
+    let needed = L::any(height.lt(radius)) || L::any(dot(center, center).lt(reach));
+    Some(if needed {
+        Seen::above(center, point.normal, radius, own)
+    } else {
+        Seen::whole(center, radius)
+    })
+}
+
+/// A blocker as receivers see it, with a sine of 0 where it does not count: whether it lies `in_front` of all tangent
+/// planes is known.
 #[inline(always)]
 pub(crate) fn look<L: Lane>(blocker: &Blocker, in_front: bool, point: &Point<L>) -> Seen<L>
 where
     [L; 4]: Routines<L>,
 {
-    let zero = point.object.lift(0.0);
-    let center = each(|k| zero.lift(f64::from(blocker.center[k])) - point.position[k]);
-    let radius = zero.lift(f64::from(blocker.radius));
     if in_front {
-        Seen::whole(center, radius)
+        whole(blocker, point)
     } else {
-        Seen::above(center, point.normal, radius, point.owns(blocker))
+        above(blocker, point).unwrap_or(nothing(point))
     }
+}
+
+#[inline(always)]
+fn nothing<L: Lane>(point: &Point<L>) -> Seen<L> {
+    let zero = point.object.lift(0.0);
+    Seen {
+        sine: zero,
+        cosine: zero,
+        direction: [zero; 3],
+    }
+}
+
+/// A blocker's centre, seen from receivers.
+#[inline(always)]
+fn seen_from<L: Lane>(blocker: &Blocker, point: &Point<L>) -> [L; 3] {
+    each(
+        #[inline(always)]
+        |k| point.object.lift(f64::from(blocker.center[k])) - point.position[k],
+    )
 }
 
 /// `sum`, on the scale of [`Routines::accumulate_blocker`], plus a blocker with its weights.

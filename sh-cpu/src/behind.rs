@@ -8,7 +8,7 @@
 //!
 //! A node of the cut that reaches around a lamp is looked into: its leaves count one by one.
 
-use crate::accumulate::{Blockers, Point, dot, each, look};
+use crate::accumulate::{Blockers, Point, above, dot, each, whole};
 use crate::cut::is_far;
 use glam::Vec3;
 use sh_core::{Lane, Routines};
@@ -262,10 +262,13 @@ where
     let mut sum = *sum;
     for change in changes {
         let blocker = &change.blocker;
-        let seen = look(blocker, change.in_front, point);
-        if !L::any(zero.lt(seen.sine)) {
+        let seen = if change.in_front {
+            whole(blocker, point)
+        } else if let Some(seen) = above(blocker, point) {
+            seen
+        } else {
             continue;
-        }
+        };
         let mut part = zero.lift(f64::from(change.base));
         if change.parted {
             let lead = lamp - power(from(&blocker.center), blocker.radius);
@@ -277,6 +280,9 @@ where
             let near = dot(direction, seen.direction) + seen.sine - zero.lift(ASIDE);
             let near = (near * zero.lift(STEEP)).max(zero).min(one);
             part = (share - one).mul_add(near, part);
+            if !L::any(zero.lt(part.abs())) {
+                continue;
+            }
         }
         let weights = <[L; C]>::zonal_from(
             #[inline(always)]

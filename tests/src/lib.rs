@@ -5,6 +5,7 @@ pub mod call;
 pub mod case;
 pub mod promises;
 pub mod truth;
+pub mod worst;
 
 /// Runs a function that is generic over the number of coefficients at every order.
 #[macro_export]

@@ -2,6 +2,8 @@
 
 use crate::blockers::{FULL, NUMBERS, error, lattice, visibility};
 use sh_reference::{arcs, visibility::Cap};
+use sh_tests::call::call_f64;
+use sh_tests::worst::worst;
 
 fn caps(degrees: f64, axes: impl IntoIterator<Item = [f64; 3]>) -> Vec<Cap> {
     let angle = degrees.to_radians();
@@ -77,6 +79,67 @@ fn total_occlusion_is_dark() {
         }
     }
 }
+
+/// How many caps a cover has at most.
+const MOST: usize = 8;
+
+/// Caps that together hide all of the sky, of three numbers each in 0..1 and two for all: how many there are, and by how
+/// much they are wider than they have to be. None where even half spaces about these axes leave something.
+fn cover(numbers: &[f64; 3 * MOST + 2]) -> Option<Vec<Cap>> {
+    let count = 2 + ((MOST - 1) as f64 * numbers[0]) as usize;
+    let mut caps: Vec<Cap> = numbers[2..]
+        .chunks(3)
+        .take(count.min(MOST))
+        .map(|of| {
+            let (z, turn) = (2.0 * of[0] - 1.0, std::f64::consts::TAU * of[1]);
+            let flat = (1.0 - z * z).max(0.0).sqrt();
+            Cap {
+                axis: [flat * turn.cos(), flat * turn.sin(), z],
+                angle: 0.3 + 1.2 * of[2],
+            }
+        })
+        .collect();
+    // The least factor with which every direction is in one of them.
+    let factor = lattice(2000).map(|d| {
+        let shares = caps.iter().map(|cap| {
+            let cos: f64 = cap.axis.iter().zip(d).map(|(a, d)| a * d).sum();
+            cos.clamp(-1.0, 1.0).acos() / cap.angle
+        });
+        shares.fold(f64::MAX, f64::min)
+    });
+    // Directions between those of the lattice are up to 3 degrees away.
+    let factor = factor.fold(0.0, f64::max) * (1.0 + 0.3 * numbers[1]) + 0.06;
+    let half = std::f64::consts::FRAC_PI_2;
+    if caps
+        .iter()
+        .map(|cap| cap.angle * factor)
+        .fold(0.0, f64::max)
+        > half + 1e-9
+    {
+        return None;
+    }
+    caps.iter_mut().for_each(|cap| cap.angle *= factor);
+    Some(caps)
+}
+
+/// What is left behind any cover of the sky by two to eight caps, looked for.
+#[test]
+fn any_cover_is_dark() {
+    for (order, most) in COVERED {
+        let (left, at) = worst(order as u64, 1200, |numbers| {
+            cover(&numbers).map_or(0.0, |caps| visibility(call_f64, order, &caps)[0] / FULL)
+        });
+        println!("order {order}: {left:.2e}");
+        let caps = cover(&at);
+        assert!(
+            left <= most,
+            "order {order}: {left:.1e} is left by {caps:?}"
+        );
+    }
+}
+
+/// By order.
+const COVERED: [(usize, f64); 5] = [(2, 1.0), (3, 1.0), (4, 1.0), (5, 1.0), (6, 1.0)];
 
 /// The light itself comes back unharmed where nothing is in its way.
 #[test]

@@ -7,6 +7,7 @@ use sh_core::exp::{self, Outlined};
 use sh_core::{Lane, ROOT_FOUR_PI, Routines};
 use sh_reference as reference;
 use sh_tests::every_order;
+use sh_tests::worst::worst;
 
 /// Norms that errors are promised for, and methods with what they promise: beyond the last number, nothing.
 const NORMS: [f64; 4] = [0.5, 2.0, 4.0, 16.0];
@@ -85,6 +86,34 @@ fn accuracy_up_to_the_promised_norms() {
                         }
                     }
                 }
+            }
+        }
+    }
+    every_order!(check);
+}
+
+/// The worst of what is zonal, looked for: a dip, one harmonic, and all between them.
+#[test]
+fn the_worst_of_zonal_functions() {
+    fn check<const C: usize>()
+    where
+        [f64; C]: Routines<f64>,
+    {
+        for size in NORMS {
+            for (method, _) in METHODS {
+                let (off, at) = worst(C as u64, 60, |bands: [f64; 5]| {
+                    let mut f = [0.0; C];
+                    for l in 1..<[f64; C]>::ORDER {
+                        f[l * l + l] = bands[l - 1] - 0.5;
+                    }
+                    let scale = size / norm(&f).max(1e-9);
+                    let f = log(f.map(|x| x * scale));
+                    let exact = reference::exp::exact(&f);
+                    let g = exponential(method, &f);
+                    let off = g.iter().zip(&exact.coefficients).map(|(a, b)| a - b);
+                    norm(&off.collect::<Vec<_>>()) / ROOT_FOUR_PI
+                });
+                println!("{method}, order {}, {size}: {off:.4} {at:?}", C.isqrt());
             }
         }
     }

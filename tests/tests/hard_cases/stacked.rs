@@ -2,6 +2,7 @@
 
 use crate::blockers::{NUMBERS, add, axes, error, log};
 use sh_reference::{arcs, visibility::Cap};
+use sh_tests::worst::worst as worst_of_all;
 
 /// The largest error over 1 to 4,096 blockers of a radius in degrees on an axis.
 fn worst(order: usize, degrees: f64, axis: [f64; 3]) -> f64 {
@@ -73,4 +74,46 @@ fn a_sum_beyond_any_scene() {
             }
         }
     }
+}
+
+/// Any number of blockers of any radius about any axis, looked for: up to a norm of 3e18, and beyond.
+#[test]
+fn the_worst_of_stacks() {
+    for (order, within, beyond) in SOUGHT {
+        for (sizes, most) in [([0.0, 15.0], within), ([15.0, 36.0], beyond)] {
+            let (off, at) = worst_of_all(order as u64, 400, |[z, turn, angle, size]| {
+                stack(order, sizes, [z, turn, angle, size])
+            });
+            println!("order {order} {sizes:?}: {off:.3} {at:?}");
+            assert!(off <= most, "order {order}: {off:.3} at {at:?}");
+        }
+    }
+}
+
+/// By order, up to a norm of 3e18 and beyond.
+const SOUGHT: [(usize, f64, f64); 5] = [
+    (2, 1.0, 1.0),
+    (3, 1.0, 1.0),
+    (4, 1.0, 1.0),
+    (5, 1.0, 1.0),
+    (6, 1.0, 1.0),
+];
+
+/// The error of 10^size blockers in one place, told by four numbers in 0..1.
+fn stack(order: usize, sizes: [f64; 2], [z, turn, angle, size]: [f64; 4]) -> f64 {
+    let (z, turn) = (2.0 * z - 1.0, std::f64::consts::TAU * turn);
+    let flat = (1.0 - z * z).max(0.0).sqrt();
+    let cap = Cap {
+        axis: [flat * turn.cos(), flat * turn.sin(), z],
+        angle: (90.0 * angle).to_radians(),
+    };
+    let truth = arcs::project(order, &[cap]).coefficients;
+    let count = 10_f64.powf(sizes[0] + (sizes[1] - sizes[0]) * size);
+    NUMBERS
+        .map(|(_, call)| {
+            let sum = log(call, order, &[cap]).iter().map(|x| x * count).collect();
+            error(&call("exp_saturating", order, &[sum]), &truth)
+        })
+        .into_iter()
+        .fold(0.0, f64::max)
 }
