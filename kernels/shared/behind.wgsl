@@ -21,6 +21,8 @@ var<workgroup> lamps_before: u32;
 const ASIDE: f32 = 0.5;
 const STEEP: f32 = 4.0;
 const ASIDE_EDGE: f32 = 1.0655;
+const REACH: f32 = 1.4;
+const NEAR: f32 = 1.5;
 
 // sh_scene::order::Pair.
 struct LampPair {
@@ -65,10 +67,10 @@ fn leaves_lamp(lamp: u32, at: u32, bounds: vec4f) -> bool {
     let far = length(to);
     let near = length(towards);
     let reach = bounds.w * 1.001;
-    if (far <= reach || near <= reach + node.radius) {
+    if (far <= reach || near <= reach + NEAR * node.radius) {
         return false;
     }
-    let spread = asin(reach / far) + asin(reach / near) + asin(min(node.radius / (near - reach), 1.0));
+    let spread = asin(reach / far) + asin(reach / near) + asin(min(REACH * node.radius / (near - reach), 1.0));
     return acos(clamp(dot(to, towards) / (far * near), -1.0, 1.0)) - spread > ASIDE_EDGE;
 }
 

@@ -101,7 +101,7 @@ fn add_all<'a, L: Lane + 'a, const C: usize>(
 #[inline(always)]
 pub(crate) fn whole<L: Lane>(blocker: &Blocker, point: &Point<L>) -> Seen<L> {
     let radius = point.object.lift(f64::from(blocker.radius));
-    Seen::whole(seen_from(blocker, point), radius)
+    Seen::whole(seen_from(&blocker.center, point), radius)
 }
 
 /// A blocker by the rule of [`Seen::above`], which is left out where no receiver needs it; none where it lies behind all
@@ -111,7 +111,7 @@ pub(crate) fn above<L: Lane>(blocker: &Blocker, point: &Point<L>) -> Option<Seen
 where
     [L; 4]: Routines<L>,
 {
-    let center = seen_from(blocker, point);
+    let center = seen_from(&blocker.center, point);
     let radius = point.object.lift(f64::from(blocker.radius));
     let height = dot(center, point.normal);
     if !L::any((-radius).lt(height)) {
@@ -152,12 +152,12 @@ fn nothing<L: Lane>(point: &Point<L>) -> Seen<L> {
     }
 }
 
-/// A blocker's centre, seen from receivers.
+/// A place, seen from receivers.
 #[inline(always)]
-fn seen_from<L: Lane>(blocker: &Blocker, point: &Point<L>) -> [L; 3] {
+pub(crate) fn seen_from<L: Lane>(center: &[f32; 3], point: &Point<L>) -> [L; 3] {
     each(
         #[inline(always)]
-        |k| point.object.lift(f64::from(blocker.center[k])) - point.position[k],
+        |k| point.object.lift(f64::from(center[k])) - point.position[k],
     )
 }
 

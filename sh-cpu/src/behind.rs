@@ -8,7 +8,7 @@
 //!
 //! A node of the cut that reaches around a lamp is looked into: its leaves count one by one.
 
-use crate::accumulate::{Blockers, Point, above, dot, each, whole};
+use crate::accumulate::{Blockers, Point, above, dot, each, seen_from, whole};
 use crate::cut::is_far;
 use glam::Vec3;
 use sh_core::{Lane, Routines};
@@ -43,9 +43,13 @@ pub struct Change {
 const ASIDE: f64 = 0.5;
 const STEEP: f64 = 4.0;
 
-/// No sphere within a blocker whose edge is so far from a lamp, in radians, is nearer to it than aside: π/2 − 2 asin ¼.
-/// (Those that take the place of one across a tangent plane are within it.)
+/// No sphere within a ball whose edge is so far from a lamp, in radians, is nearer to it than aside: π/2 − 2 asin ¼.
 const EDGE: f32 = 1.0655;
+
+/// What takes the place of a blocker across a tangent plane lies within so many of its radii from its centre, for receivers
+/// that are not nearer to that than [`NEAR`] radii.
+const REACH: f32 = 1.4;
+const NEAR: f32 = 1.5;
 
 /// Below this distance a receiver is taken to be at a lamp's centre.
 const TINY: f64 = 1e-30;
@@ -176,7 +180,7 @@ impl Behind {
     ) {
         let own = ball_of(&blocker);
         let settled = Pair::of(lamp, &own).is_settled(lamp, &own, bounds.center, bounds.radius);
-        if settled || own.radius <= 0.0 || is_aside(lamp, &own, bounds) {
+        if settled || own.radius <= 0.0 || is_aside(lamp, &own, in_front, bounds) {
             if base != 0.0 {
                 self.changes.push(Change::whole(blocker, in_front, base));
             }
@@ -215,17 +219,18 @@ fn ball_of(blocker: &Blocker) -> Ball {
 }
 
 /// Whether a blocker is aside of a lamp for every receiver of a cluster.
-fn is_aside(lamp: &Ball, blocker: &Ball, bounds: &Bounds) -> bool {
+fn is_aside(lamp: &Ball, blocker: &Ball, in_front: bool, bounds: &Bounds) -> bool {
     let [to, towards] = [lamp, blocker].map(|ball| ball.center - bounds.center);
     let [far, near] = [to, towards].map(Vec3::length);
     // Rounding moves the bounds by less.
     let reach = bounds.radius * 1.001;
-    if !(far > reach && near > reach + blocker.radius) {
+    let [from, wide] = if in_front { [1.0; 2] } else { [NEAR, REACH] };
+    if !(far > reach && near > reach + from * blocker.radius) {
         return false;
     }
     let spread = (reach / far).asin() + (reach / near).asin();
     let angle = (to.dot(towards) / (far * near)).clamp(-1.0, 1.0).acos();
-    angle - spread - (blocker.radius / (near - reach)).min(1.0).asin() > EDGE
+    angle - spread - (wide * blocker.radius / (near - reach)).min(1.0).asin() > EDGE
 }
 
 /// A lamp's sum, on the scale of [`Routines::accumulate_blocker`]: that of all blockers, less what is behind it. What
@@ -242,18 +247,9 @@ where
     [L; 4]: Routines<L>,
 {
     let (zero, one) = (point.object.lift(0.0), point.object.lift(1.0));
-    let from = |center: &[f32; 3]| {
-        each(
-            #[inline(always)]
-            |k| zero.lift(f64::from(center[k])) - point.position[k],
-        )
-    };
-    let power = |away: [L; 3], radius: f32| {
-        let radius = f64::from(radius);
-        dot(away, away) - zero.lift(radius * radius)
-    };
-    let away = from(&emitter.center);
-    let lamp = power(away, emitter.radius);
+    let away = seen_from(&emitter.center, point);
+    let square = |radius: f32| zero.lift(f64::from(radius) * f64::from(radius));
+    let lamp = dot(away, away) - square(emitter.radius);
     let inverse = one / dot(away, away).sqrt().max(zero.lift(TINY));
     let direction = each(
         #[inline(always)]
@@ -262,6 +258,30 @@ where
     let mut sum = *sum;
     for change in changes {
         let blocker = &change.blocker;
+        let mut left = zero;
+        if change.parted {
+            // Most are before the lamp, or aside of it, for all of these receivers, and need not be looked at closely.
+            let center = seen_from(&blocker.center, point);
+            let (far, own) = (dot(center, center), square(blocker.radius));
+            let share = (lamp - (far - own))
+                .mul_add(zero.lift(f64::from(change.slope)), zero.lift(0.5))
+                .max(zero)
+                .min(one);
+            left = share.mul_add(zero.lift(f64::from(change.most)), -one);
+            // For a sphere s of radius r within a ball c of radius R: (d · s + r) / |s| is at most (d · c + R) / (|c| − R).
+            let wide = if change.in_front {
+                1.0
+            } else {
+                REACH * (1.0 + ASIDE as f32)
+            };
+            let edge = dot(direction, center) + zero.lift(f64::from(wide * blocker.radius));
+            let edge = edge.max(zero);
+            let near = L::any((far * zero.lift(ASIDE * ASIDE)).lt(edge * edge))
+                || L::any(far.lt(square(NEAR * blocker.radius)));
+            if change.base == 0.0 && !(near && L::any(left.lt(zero))) {
+                continue;
+            }
+        }
         let seen = if change.in_front {
             whole(blocker, point)
         } else if let Some(seen) = above(blocker, point) {
@@ -269,21 +289,9 @@ where
         } else {
             continue;
         };
-        let mut part = zero.lift(f64::from(change.base));
-        if change.parted {
-            let lead = lamp - power(from(&blocker.center), blocker.radius);
-            let share = lead
-                .mul_add(zero.lift(f64::from(change.slope)), zero.lift(0.5))
-                .max(zero)
-                .min(one)
-                * zero.lift(f64::from(change.most));
-            let near = dot(direction, seen.direction) + seen.sine - zero.lift(ASIDE);
-            let near = (near * zero.lift(STEEP)).max(zero).min(one);
-            part = (share - one).mul_add(near, part);
-            if !L::any(zero.lt(part.abs())) {
-                continue;
-            }
-        }
+        let near = dot(direction, seen.direction) + seen.sine - zero.lift(ASIDE);
+        let near = (near * zero.lift(STEEP)).max(zero).min(one);
+        let part = left.mul_add(near, zero.lift(f64::from(change.base)));
         let weights = <[L; C]>::zonal_from(
             #[inline(always)]
             |l| part * zero.lift(f64::from(blocker.weights[l])),
@@ -291,4 +299,28 @@ where
         sum = sum.accumulate_blocker(seen.sine, seen.cosine, seen.direction, weights);
     }
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use sh_core::seen::Seen;
+
+    /// What takes the place of a sphere that the horizon cuts may stick out of it, but no farther than lamps are looked for.
+    #[test]
+    fn what_stands_for_a_cut_sphere_is_near_it() {
+        let mut most = 0.0_f64;
+        for i in -100..100 {
+            for j in 0..100 {
+                let (height, aside) = (f64::from(i) / 100.0, f64::from(j) / 20.0);
+                if height.hypot(aside) > f64::from(NEAR) {
+                    let seen = Seen::above([aside, height, 0.0], [0.0, 1.0, 0.0], 1.0, 0.0);
+                    // A ball that touches the plane at the foot.
+                    let radius = aside * seen.sine / seen.cosine.max(1e-9);
+                    most = most.max((radius - height).abs() + radius);
+                }
+            }
+        }
+        assert!(most > 1.3 && most < f64::from(REACH), "{most}");
+    }
 }
