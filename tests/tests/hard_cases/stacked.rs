@@ -4,11 +4,11 @@ use crate::blockers::{NUMBERS, add, axes, error, log};
 use sh_reference::{arcs, visibility::Cap};
 use sh_tests::worst::worst as worst_of_all;
 
-/// The largest error over 1 to 4,096 blockers of a radius in degrees on an axis.
-fn worst(order: usize, degrees: f64, axis: [f64; 3]) -> f64 {
+/// The largest error over 1 to 4,096 blockers of 40 degrees on an axis.
+fn worst(order: usize, axis: [f64; 3]) -> f64 {
     let cap = Cap {
         axis,
-        angle: degrees.to_radians(),
+        angle: 40_f64.to_radians(),
     };
     let truth = arcs::project(order, &[cap]).coefficients;
     let mut worst = 0.0_f64;
@@ -25,79 +25,44 @@ fn worst(order: usize, degrees: f64, axis: [f64; 3]) -> f64 {
     worst
 }
 
-/// What is promised for blockers of 40 degrees and for any of 5 to 80, by order.
-const PROMISED: [(usize, f64, f64); 5] = [
-    (2, 0.31, 0.39),
-    (3, 0.20, 0.40),
-    (4, 0.13, 0.40),
-    (5, 0.11, 0.40),
-    (6, 0.13, 0.40),
-];
+/// What is promised for blockers of 40 degrees, by order.
+const PROMISED: [(usize, f64); 5] = [(2, 0.31), (3, 0.20), (4, 0.13), (5, 0.11), (6, 0.13)];
 
 #[test]
 fn identical_blockers_of_any_number() {
-    for (order, at_40, anywhere) in PROMISED {
-        for degrees in [5.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0] {
-            let bound = if degrees == 40.0 { at_40 } else { anywhere };
-            for axis in axes() {
-                let worst = worst(order, degrees, axis);
-                assert!(
-                    worst <= bound,
-                    "order {order}, {degrees} degrees about {axis:?}: {worst:.3}, {bound} promised"
-                );
-            }
-        }
-    }
-}
-
-/// Blockers so many that the sum of their logarithms nears the end of f32's range leave what a few thousand do;
-/// beyond a norm of 3e18, where sums are no longer told apart, they leave at least something bounded.
-#[test]
-fn a_sum_beyond_any_scene() {
-    for (order, at_40, _) in PROMISED {
+    for (order, bound) in PROMISED {
         for axis in axes() {
-            let cap = Cap {
-                axis,
-                angle: 40_f64.to_radians(),
-            };
-            let truth = arcs::project(order, &[cap]).coefficients;
-            for (number, call) in NUMBERS {
-                let one = log(call, order, &[cap]);
-                for (factor, bound) in [(1e4, at_40), (1e12, at_40), (1e17, at_40), (1e30, 0.6)] {
-                    let sum = one.iter().map(|x| x * factor).collect();
-                    let off = error(&call("exp_saturating", order, &[sum]), &truth);
-                    assert!(
-                        off <= bound,
-                        "order {order}, {number}, {factor:e}: {off:.3}"
-                    );
-                }
-            }
+            let worst = worst(order, axis);
+            assert!(
+                worst <= bound,
+                "order {order}, about {axis:?}: {worst:.3}, {bound} promised"
+            );
         }
     }
 }
 
-/// Any number of blockers of any radius about any axis, looked for: up to a norm of 3e18, and beyond.
+/// What is promised for any number of blockers of any radius about any axis up to a norm of their sum of 3e18, and beyond; by
+/// order.
+const SOUGHT: [(usize, f64, f64); 5] = [
+    (2, 0.39, 0.79),
+    (3, 0.40, 0.60),
+    (4, 0.42, 0.64),
+    (5, 0.41, 0.63),
+    (6, 0.42, 0.67),
+];
+
+/// Searched for: the smallest blockers, of which very many are needed to be dark, are the worst.
 #[test]
 fn the_worst_of_stacks() {
     for (order, within, beyond) in SOUGHT {
         for (sizes, most) in [([0.0, 15.0], within), ([15.0, 36.0], beyond)] {
-            let (off, at) = worst_of_all(order as u64, 400, |[z, turn, angle, size]| {
-                stack(order, sizes, [z, turn, angle, size])
-            });
-            println!("order {order} {sizes:?}: {off:.3} {at:?}");
+            let (off, at) = worst_of_all(order as u64, 150, |at| stack(order, sizes, at));
+            println!("order {order}, {sizes:?}: {off:.3}");
             assert!(off <= most, "order {order}: {off:.3} at {at:?}");
+            assert!(off > 0.8 * most, "order {order}: {off:.3}, {most} promised");
         }
     }
 }
-
-/// By order, up to a norm of 3e18 and beyond.
-const SOUGHT: [(usize, f64, f64); 5] = [
-    (2, 1.0, 1.0),
-    (3, 1.0, 1.0),
-    (4, 1.0, 1.0),
-    (5, 1.0, 1.0),
-    (6, 1.0, 1.0),
-];
 
 /// The error of 10^size blockers in one place, told by four numbers in 0..1.
 fn stack(order: usize, sizes: [f64; 2], [z, turn, angle, size]: [f64; 4]) -> f64 {
