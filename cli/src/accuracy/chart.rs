@@ -251,7 +251,7 @@ pub fn pictures(rows: &[PictureRow], file: &Path) -> Result<(), Error> {
     }
     let words: Vec<String> = spheres
         .iter()
-        .map(|count| format!("{count} spheres an object"))
+        .map(|count| format!("{count} spheres"))
         .collect();
     let entries = words.iter().map(String::as_str).enumerate();
     series(&mut canvas, bottom - 26.0, entries);
@@ -294,6 +294,7 @@ mod tests {
             order: 4,
             accumulation_order: 6,
             spheres,
+            factor: 1.0,
             rms,
             bias: 0.0,
             ms: 10.0 * spheres as f64,

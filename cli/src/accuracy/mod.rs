@@ -75,8 +75,10 @@ pub struct PictureRow {
     pub order: usize,
     /// SH order that logarithms are summed in.
     pub accumulation_order: usize,
-    /// Spheres an object.
+    /// Spheres of the whole scene.
     pub spheres: usize,
+    /// What the scene's own numbers of spheres were multiplied with.
+    pub factor: f32,
     /// Root of the mean square of the difference in luminance, over the mean.
     pub rms: f64,
     /// Mean of the difference, over the mean.

@@ -7,10 +7,10 @@
 use super::PictureRow;
 use crate::Error;
 use rayon::prelude::*;
-use sh_bake::SphereSet;
-use sh_cpu::{Gbuffer, Geometry};
+use sh_bake::Choices;
+use sh_cpu::{CutOptions, Cuts, Gbuffer, Geometry, Path, Shadow, shadow_clusters};
 use sh_reference::{basis, raycast, sampled};
-use sh_scene::{Light, Receiver, Scene, View};
+use sh_scene::{Clusters, Light, Receiver, Scene, View};
 use std::time::Instant;
 
 /// Pixels across and down; there are four receivers a pixel.
@@ -19,8 +19,8 @@ const SIZE: [u32; 2] = [80, 45];
 /// Directions over the sphere that the truth looks into from each receiver.
 const RAYS: usize = 2048;
 
-/// Spheres an object.
-const SPHERES: [usize; 4] = [8, 16, 32, 64];
+/// What the scene's numbers of spheres are multiplied with.
+const FACTORS: [f32; 5] = [0.125, 0.25, 0.5, 1.0, 2.0];
 
 /// Orders of light and accumulation.
 const ORDERS: [(usize, usize); 9] = [
@@ -35,8 +35,11 @@ const ORDERS: [(usize, usize); 9] = [
     (6, 6),
 ];
 
+/// Receivers of a cluster, about.
+const CLUSTER: usize = 128;
+
 /// Runs of which the fastest counts.
-const RUNS: usize = 3;
+const RUNS: usize = 21;
 
 /// How far rays start above a surface, in metres.
 const ABOVE: f64 = 1e-4;
@@ -47,19 +50,36 @@ fn luminance(c: [f32; 3]) -> f64 {
 
 /// All rows.
 pub fn rows(progress: &(dyn Fn(f32) + Sync)) -> Result<Vec<PictureRow>, Error> {
-    let (mut scene, _) = sh_bake::default_scene(None, &|_| {});
-    let receivers = receivers(&scene)?;
-    let truth = truth(&scene, &receivers)?;
-    progress(0.3);
     let mut rows = Vec::new();
-    for (i, spheres) in SPHERES.into_iter().enumerate() {
-        scene.objects.par_iter_mut().for_each(|object| {
-            object.spheres = SphereSet::fit(&[&object.mesh], spheres).spheres;
-        });
+    let mut seen = None;
+    for (i, factor) in FACTORS.into_iter().enumerate() {
+        let choices = Choices {
+            spheres: factor,
+            ..Choices::default()
+        };
+        // Always fitted anew.
+        let (scene, _) = sh_bake::default_scene_with(choices, None, &|_| {});
+        let (clusters, receivers, truth) = match seen.take() {
+            Some(seen) => seen,
+            None => {
+                let receivers = receivers(&scene)?;
+                let clusters = Clusters::new(&receivers, receivers.len().div_ceil(CLUSTER));
+                let receivers = clusters.sorted(&receivers);
+                let truth = truth(&scene, &receivers)?;
+                (clusters, receivers, truth)
+            }
+        };
         for orders in ORDERS {
-            rows.push(row(&scene, &receivers, &truth, spheres, orders)?);
+            rows.push(row(
+                &scene,
+                (&clusters, &receivers),
+                &truth,
+                factor,
+                orders,
+            )?);
         }
-        progress(0.3 + 0.7 * (i + 1) as f32 / SPHERES.len() as f32);
+        seen = Some((clusters, receivers, truth));
+        progress((i + 1) as f32 / FACTORS.len() as f32);
     }
     Ok(rows)
 }
@@ -111,24 +131,34 @@ fn light(scene: &Scene, order: usize) -> Result<Light, Error> {
 
 fn row(
     scene: &Scene,
-    receivers: &[Receiver],
+    (clusters, receivers): (&Clusters, &[Receiver]),
     truth: &[f64],
-    spheres: usize,
+    factor: f32,
     (order, accumulation_order): (usize, usize),
 ) -> Result<PictureRow, Error> {
     let light = light(scene, order)?;
-    let blockers = scene.world_spheres();
+    let (forest, clusters) = (scene.forest(), &clusters.ranges);
+    let options = CutOptions {
+        limits: scene.settings.limits,
+        ratios: true,
+        accumulation: accumulation_order,
+    };
+    let path = Path::best();
     let mut radiance = vec![[0.0; 3]; receivers.len()];
+    let mut cuts = Cuts::default();
+    cuts.bound(receivers, clusters, 0..clusters.len());
     let mut seconds = f64::INFINITY;
     for _ in 0..RUNS {
         let start = Instant::now();
-        sh_cpu::shadow(
-            receivers,
-            &blockers,
-            &light,
-            accumulation_order,
-            &mut radiance,
-        )?;
+        cuts.find(path, &forest, &light, options);
+        let shadow = Shadow {
+            clusters,
+            cuts: &cuts,
+            light: &light,
+            accumulation: accumulation_order,
+            baked: None,
+        };
+        shadow_clusters(path, receivers, &shadow, &mut radiance)?;
         seconds = seconds.min(start.elapsed().as_secs_f64());
     }
     let (mut square, mut bias, mut mean) = (0.0, 0.0, 0.0);
@@ -143,7 +173,8 @@ fn row(
         scene: "built-in".into(),
         order,
         accumulation_order,
-        spheres,
+        spheres: forest.spheres(),
+        factor,
         rms: (square / count).sqrt() / (mean / count),
         bias: bias / mean,
         ms: seconds * 1e9 / count,

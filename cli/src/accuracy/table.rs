@@ -151,7 +151,7 @@ pub fn pictures_markdown(rows: &[PictureRow]) -> String {
         return String::new();
     }
     let mut text = String::from(
-        "| scene | spheres an object | order | accumulated at | RMS | bias | time |\n|---|---:|---:|---:|---:|---:|---:|\n",
+        "| scene | spheres | order | accumulated at | RMS | bias | time |\n|---|---:|---:|---:|---:|---:|---:|\n",
     );
     for scene in scenes {
         let rows: Vec<&PictureRow> = rows.iter().filter(|row| row.scene == scene).collect();
@@ -315,6 +315,7 @@ mod tests {
             order: 4,
             accumulation_order: 6,
             spheres,
+            factor: 1.0,
             rms,
             bias: -0.0123,
             ms,
