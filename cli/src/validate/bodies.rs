@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, Quat, Vec3};
 use sh_bake::shapes::{self, Bend, Limb};
-use sh_bake::{SphereSet, bake_surface};
+use sh_bake::{SphereSet, bake_surface, weights};
 use sh_scene::{Material, Mesh, Object};
 use std::f32::consts::FRAC_PI_2;
 
@@ -21,13 +21,15 @@ pub(super) fn body(
         texture: None,
     };
     let surface = bake_surface(&[(&mesh, &material)], &spheres);
+    let up = turn.inverse() * Vec3::Y;
+    let weights = weights(&[&mesh], &spheres, up.into());
     let object = Object {
         name: name.into(),
         mesh,
         material,
         transform: Affine3A::from_quat(turn),
         spheres,
-        weights: Vec::new(),
+        weights,
         part_of: None,
         surface,
     };
