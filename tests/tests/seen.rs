@@ -3,6 +3,7 @@
 use sh_core::Routines;
 use sh_core::seen::{OWN, Seen};
 use sh_reference::horizon::share;
+use sh_scene::{Light, Receiver, Sphere};
 
 const UP: [f64; 3] = [0.0, 1.0, 0.0];
 
@@ -121,5 +122,50 @@ fn a_way_over_into_and_out_of_a_sphere_has_no_jump() {
             );
             assert!(own > 0.0 || coarse > 1e-4, "{name}: nothing happens");
         }
+    }
+}
+
+/// The light of an even sky on the ground around a ball that rests on it or is sunk into it, from where the ground cuts it to a
+/// radius farther: near the truth where feet used to have no shadow at all (off by .24 to .33).
+#[test]
+fn the_ground_around_a_sunk_ball_is_dark() {
+    for accumulation in 4..=6 {
+        let mut worst = (0.0_f64, 0.0, 0.0);
+        for height in [0.0_f32, 0.25, 0.5, 0.75, 1.0] {
+            let ball = Sphere {
+                center: [0.0, height, 0.0],
+                radius: 1.0,
+            };
+            let foot = (1.0 - height * height).sqrt();
+            let receivers: Vec<Receiver> = (1..=64)
+                .map(|i| Receiver {
+                    position: [foot.max(0.05) + i as f32 / 64.0, 0.0, 0.0],
+                    covered: 1,
+                    normal: [0.0, 1.0, 0.0],
+                    object: 0,
+                })
+                .collect();
+            let light = Light {
+                order: 4,
+                coefficients: (0..16)
+                    .map(|i| [if i == 0 { 1.0 } else { 0.0 }; 3])
+                    .collect(),
+                emitters: Vec::new(),
+            };
+            let mut found = vec![[0.0; 3]; receivers.len()];
+            sh_cpu::shadow(&receivers, &[ball], &light, accumulation, &mut found)
+                .expect("orders fit");
+            let open = light.irradiance([0.0, 1.0, 0.0])[0];
+            for (receiver, found) in receivers.iter().zip(&found) {
+                let distance = f64::from(receiver.position[0].hypot(height));
+                let truth = 1.0 - sh_reference::horizon::share(f64::from(height), distance);
+                let off = (f64::from(found[0] / open) - truth).abs();
+                if off > worst.0 {
+                    worst = (off, height.into(), distance);
+                }
+            }
+        }
+        println!("{accumulation}: {worst:?}");
+        assert!(worst.0 < 0.06, "order {accumulation}: {worst:?}");
     }
 }
