@@ -174,12 +174,16 @@ fn the_worst_of_covers() {
             });
             sum.accumulated_log().transfer(up)[0] / open
         };
-        let measures: [(&str, f64, &dyn Fn(Vec<Cap>) -> f64); 2] =
-            [("sky", of_sky, &sky), ("surface", of_surface, &surface)];
-        for (name, most, left) in measures {
-            let (found, at) = worst(order as u64, 300, |numbers| {
+        let searched = |left: &dyn Fn(Vec<Cap>) -> f64| {
+            worst(order as u64, 300, |numbers| {
                 cover(&numbers).map_or(0.0, left)
-            });
+            })
+        };
+        let found = [
+            ("sky", of_sky, searched(&sky)),
+            ("surface", of_surface, searched(&surface)),
+        ];
+        for (name, most, (found, at)) in found {
             println!("{name}, order {order}: {found:.3}");
             let caps = cover(&at).unwrap_or_default();
             let truth = arcs::project(order, &caps).coefficients[0] / FULL;
