@@ -20,7 +20,7 @@ mod sums;
 pub(crate) use discs::{Disc, KEPT, discs};
 pub(crate) use sums::sums;
 
-use crate::accumulate::{Point, dot, each, look};
+use crate::accumulate::{Point, dot, each, look, seen_from};
 use crate::drive::{Group, Kernel, Place, Work, drive};
 use crate::irradiance::reflected;
 use crate::light_cut::Met;
@@ -125,13 +125,9 @@ impl<'a, L: Lane> At<'a, L> {
     /// |c − p|² − r².
     #[inline(always)]
     fn power(&self, met: &Met) -> L {
-        let (center, radius) = (met.blocker.center, f64::from(met.blocker.radius));
-        let zero = self.point.object.lift(0.0);
-        let away = each(
-            #[inline(always)]
-            |k| zero.lift(f64::from(center[k])) - self.point.position[k],
-        );
-        dot(away, away) - zero.lift(radius * radius)
+        let away = seen_from(&met.blocker.center, &self.point);
+        let radius = f64::from(met.blocker.radius);
+        dot(away, away) - self.point.object.lift(radius * radius)
     }
 
     /// The share of what a nearer sphere covers that it hides of a farther one.

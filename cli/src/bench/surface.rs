@@ -1,7 +1,7 @@
 //! Samples of the surface around a body's spheres, for bodies of capsules: by the rules that meshes are sampled by
 //! (Guerrero et al. 2008, section 4.2), in closed form.
 
-use super::body::{Body, Parts};
+use super::body::{Body, Parts, placed_sphere};
 use super::capsule::Capsule;
 use glam::{Affine3A, Quat, Vec3};
 use sh_scene::Sphere;
@@ -25,11 +25,8 @@ impl Surface {
     /// Samples a body whose segments are at `poses`; `parts` are its own.
     pub fn new(body: &Body, parts: &Parts, poses: &[Affine3A]) -> Self {
         let capsules = body.capsules(poses);
-        let placed = |(segment, sphere): &(usize, Sphere)| {
-            let center = poses[*segment].transform_point3(sphere.center.into());
-            (center, sphere.radius)
-        };
-        let spheres: Vec<(Vec3, f32)> = parts.spheres.iter().map(placed).collect();
+        let on = |(segment, sphere): &(usize, Sphere)| placed_sphere(sphere, &poses[*segment]);
+        let spheres: Vec<Sphere> = parts.spheres.iter().map(on).collect();
         let mut now = SurfaceSamples::default();
         let mut rest = Vec::new();
         for (sphere, (segment, _)) in parts.spheres.iter().enumerate() {
@@ -51,11 +48,7 @@ impl Surface {
             now.push(points.iter().copied());
             rest.push((*segment, points));
         }
-        let sphere = |&(center, radius): &(Vec3, f32)| Sphere {
-            center: center.into(),
-            radius,
-        };
-        now.expose(&spheres.iter().map(sphere).collect::<Vec<_>>());
+        now.expose(&spheres);
         let mut surface = Self {
             now,
             segments: body.segments.len(),
@@ -83,12 +76,12 @@ impl Surface {
 /// normal there. Bodies are filled capsules around their spheres' centres, so there is none to be found behind.
 fn seen(
     capsules: &[Capsule],
-    spheres: &[(Vec3, f32)],
+    spheres: &[Sphere],
     sphere: usize,
     towards: Vec3,
 ) -> Option<(Vec3, Vec3)> {
-    let center = spheres[sphere].0;
-    let relative = |p: Vec3, (c, r): (Vec3, f32)| p.distance(c) / r;
+    let center = Vec3::from(spheres[sphere].center);
+    let relative = |p: Vec3, s: &Sphere| p.distance(s.center.into()) / s.radius;
     let mut farthest: Option<(f32, Vec3, Vec3)> = None;
     for (i, capsule) in capsules.iter().enumerate() {
         let Some(t) = capsule.leaves(center, towards).filter(|t| *t > 0.0) else {
@@ -97,8 +90,8 @@ fn seen(
         let point = center + towards * t;
         let mut others = capsules.iter().enumerate();
         let inside = others.any(|(k, other)| k != i && other.distance(point) < -DEPTH);
-        let own = relative(point, spheres[sphere]);
-        let theirs = spheres.iter().any(|s| relative(point, *s) < own);
+        let own = relative(point, &spheres[sphere]);
+        let theirs = spheres.iter().any(|s| relative(point, s) < own);
         if !inside && !theirs && farthest.is_none_or(|(most, ..)| most < t) {
             let normal = (point - capsule.nearest(point)) / capsule.radius;
             farthest = Some((t, point, normal));
