@@ -338,7 +338,7 @@ impl Switch {
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Quality {
-    /// The softest light: order 3, shadows in order 3, in .84 of balanced's time
+    /// The softest light: order 3, shadows in order 3, in .9 of balanced's time
     Fast,
     /// The middle, and the default: order 4 for both
     Balanced,

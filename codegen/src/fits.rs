@@ -193,32 +193,47 @@ pub fn lens() -> [Vec<f64>; 2] {
     })
 }
 
-/// The sphere that the horizon cuts: for the powers 0, 1 and 8 of the square of its sine, polynomials in u, lowest power
-/// first.
-pub fn horizon() -> [Vec<f64>; 3] {
-    ["0", "1", "8"].map(|power| {
-        let mut found = rows(HORIZON, &[power]);
+/// The sphere that the horizon cuts: for the powers 0, 1 and 2 of the square of its sine, polynomials in u, lowest power
+/// first; and the numbers a, b and c of the divisor.
+pub fn horizon() -> ([Vec<f64>; 3], [f64; 3]) {
+    let row = |name: &str| {
+        let mut found = rows(HORIZON, &[name]);
         found.pop().expect("horizon.txt has all powers")
-    })
+    };
+    let divisor = row("divisor");
+    (
+        ["0", "1", "2"].map(row),
+        [divisor[0], divisor[1], divisor[2]],
+    )
 }
 
+/// The largest u: a sphere that touches the plane from above, seen from where it does, leaves a divisor. In single precision
+/// it is the same number.
+const LARGEST_U: f64 = 1.0 - f32::EPSILON as f64;
+
 /// The radius of the sphere that touches the horizon below a sphere's centre and hides as much as the part of that above it,
-/// over the sphere's own: u (1 + (1 − u)(p_0(u) + x p_1(u) + x⁸ p_8(u))), with u = (1 + w)/2 from the height w of its centre
-/// over its radius, held in −1..1, and x the square of the sine of its angular radius.
+/// over the sphere's own: u (1 + (1 − u)(p_0(u) + x p_1(u) + x² p_2(u)) / ((1 − x)(1 + a u) + (1 − u)(b + c u))), with
+/// u = (1 + w)/2 from the height w of its centre over its radius, held in −1..1, and x the square of the sine of its angular
+/// radius. The divisor is what a receiver next to the sphere needs: how much it sees depends on 1 − u over 1 − x there.
 pub fn horizon_radius(g: &mut Graph, height: Value, square: Value) -> Value {
     let (zero, half, one) = (g.constant(0.0), g.constant(0.5), g.constant(1.0));
     let share = g.mul_add(half, height, half);
     let share = g.max(share, zero);
-    let u = g.min(share, one);
-    let [low, middle, high] = horizon().map(|c| g.horner(&c, u));
-    let fourth = g.mul(square, square);
-    let eighth = g.mul(fourth, fourth);
-    let sixteenth = g.mul(eighth, eighth);
-    let sum = g.mul_add(square, middle, low);
-    let sum = g.mul_add(sixteenth, high, sum);
+    let largest = g.constant(LARGEST_U);
+    let u = g.min(share, largest);
+    let square = g.min(square, one);
+    let (polynomials, [a, b, c]) = horizon();
+    let [low, middle, high] = polynomials.map(|c| g.horner(&c, u));
+    let sum = g.mul_add(square, high, middle);
+    let sum = g.mul_add(square, sum, low);
     let rest = g.sub(one, u);
-    let sum = g.mul_add(rest, sum, one);
-    let radius = g.mul(u, sum);
+    let beside = g.sub(one, square);
+    let (far, near) = (g.horner(&[1.0, a], u), g.horner(&[b, c], u));
+    let near = g.mul(rest, near);
+    let divisor = g.mul_add(beside, far, near);
+    let sum = g.mul(rest, sum);
+    let sum = g.div(sum, divisor);
+    let radius = g.mul_add(u, sum, u);
     // Where it is nearly below, the polynomial may be.
     g.max(radius, zero)
 }

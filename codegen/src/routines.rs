@@ -388,9 +388,9 @@ pub const ROUTINES: &[Routine] = &[
     },
     Routine {
         name: "horizon_radius",
-        doc: "Of a sphere that the horizon cuts: the radius of the one that stands for the part above it, over the sphere's own. It touches the horizon from above, below the sphere's centre, and hides the same share of an even sky, weighted by the cosine: a sphere of sine s that touches hides s^3. `height` is that of the sphere's centre over its radius, −1 (wholly below: 0) to 1 (wholly above: 1), `square` the square of the sine of the sphere's angular radius. Fitted: the sine to 0.04, and the share to 0.06 of the sky at the most, to 0.03 nearly everywhere.",
+        doc: "Of a sphere that the horizon cuts: the radius of the one that stands for the part above it, over the sphere's own. It touches the horizon from above, below the sphere's centre, and hides the same share of an even sky, weighted by the cosine: a sphere of sine s that touches hides s^3. `height` is that of the sphere's centre over its radius, −1 (wholly below: 0) to 1 (wholly above: 1), `square` the square of the sine of the sphere's angular radius. Fitted: the share to 0.0133 of the sky, and that of a small sphere to 0.125 of what it hides when wholly above.",
         source: "The form factor of a sphere that a horizon cuts (Snyder 1996, \"Area light sources for real-time graphics\"), to the power 1/3; `gaunt fit` rewrites the coefficients.",
-        example: "let radius = |height: f64| <[f64; 4]>::horizon_radius(height, 0.04);\nassert_eq!((radius(-1.0), radius(1.0)), (0.0, 1.0));\n// Half of it, seen from afar.\nassert!((radius(0.0) - 0.6).abs() < 0.1);",
+        example: "let radius = |height: f64| <[f64; 4]>::horizon_radius(height, 0.04);\nassert_eq!(radius(-1.0), 0.0);\nassert!((radius(1.0) - 1.0).abs() < 1e-6);\n// Half of it, seen from afar.\nassert!((radius(0.0) - 0.6).abs() < 0.1);",
         arguments: &[("height", Shape::Scalar), ("square", Shape::Scalar)],
         result: Shape::Scalar,
         build: |g, _, a| vec![fits::horizon_radius(g, a[0][0], a[1][0])],

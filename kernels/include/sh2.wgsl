@@ -1038,33 +1038,34 @@ fn sh2_transfer(f: array<f32, 4>, d: vec3<f32>) -> array<f32, 4> {
 // touches the horizon from above, below the sphere's centre, and hides the same share of an even sky, weighted by the
 // cosine: a sphere of sine s that touches hides s^3. `height` is that of the sphere's centre over its radius, -1
 // (wholly below: 0) to 1 (wholly above: 1), `square` the square of the sine of the sphere's angular radius. Fitted: the
-// sine to 0.04, and the share to 0.06 of the sky at the most, to 0.03 nearly everywhere.
+// share to 0.0133 of the sky, and that of a small sphere to 0.125 of what it hides when wholly above.
 // Source: The form factor of a sphere that a horizon cuts (Snyder 1996, "Area light sources for real-time graphics"),
 // to the power 1/3; `gaunt fit` rewrites the coefficients.
-// 17 multiplications, 17 additions.
+// 16 multiplications, 19 additions.
 fn sh2_horizon_radius(height: f32, square: f32) -> f32 {
     let t5 = fma(height, 0.5, 0.5);
     let t6 = max(t5, 0.0);
-    let t7 = min(t6, 1.0);
-    let t10 = fma(-t7, 13.10665, 24.342743);
-    let t12 = fma(t7, t10, (-13.351746));
-    let t14 = fma(t7, t12, 2.6712399);
-    let t17 = fma(t7, 18.312555, (-35.74848));
-    let t19 = fma(t7, t17, 20.971163);
-    let t21 = fma(t7, t19, (-3.2900434));
-    let t24 = fma(t7, 18.360914, (-0.13812698));
-    let t26 = fma(t7, t24, (-7.0894814));
-    let t28 = fma(t7, t26, 3.048628);
-    let t29 = square * square;
-    let t30 = t29 * t29;
-    let t31 = t30 * t30;
-    let t32 = fma(square, t21, t14);
-    let t33 = fma(t28, t31, t32);
-    let t34 = 1.0 - t7;
-    let t35 = fma(t33, t34, 1.0);
-    let t36 = t7 * t35;
-    let t37 = max(t36, 0.0);
-    return t37;
+    let t8 = min(t6, 0.9999999);
+    let t9 = min(square, 1.0);
+    let t12 = fma(-t8, 0.8192233, 1.0812956);
+    let t14 = fma(t8, t12, (-0.34824675));
+    let t17 = fma(t8, 0.4381442, (-1.4903629));
+    let t19 = fma(t8, t17, 1.5754806);
+    let t22 = fma(t8, 0.38694167, 0.4362123);
+    let t24 = fma(t8, t22, (-1.1836709));
+    let t25 = fma(t9, t24, t19);
+    let t26 = fma(t9, t25, t14);
+    let t27 = 1.0 - t8;
+    let t28 = 1.0 - t9;
+    let t30 = fma(-t8, 0.9262614, 1.0);
+    let t33 = fma(t8, 0.03509759, 0.02);
+    let t34 = t27 * t33;
+    let t35 = fma(t28, t30, t34);
+    let t36 = t26 * t27;
+    let t37 = t36 / t35;
+    let t38 = fma(t8, t37, t8);
+    let t39 = max(t38, 0.0);
+    return t39;
 }
 
 // The exponential of `f` at samples, exp(min(f(s), 0.15)), projected back; on 14, 26, 50, 86 and 86 points for orders 2

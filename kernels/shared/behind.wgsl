@@ -21,7 +21,7 @@ var<workgroup> lamps_before: u32;
 const ASIDE: f32 = 0.5;
 const STEEP: f32 = 4.0;
 const ASIDE_EDGE: f32 = 1.0655;
-const REACH: f32 = 1.4;
+const REACH: f32 = 1.42;
 const NEAR: f32 = 1.5;
 
 // sh_scene::order::Pair.

@@ -48,7 +48,7 @@ const EDGE: f32 = 1.0655;
 
 /// What takes the place of a blocker across a tangent plane lies within so many of its radii from its centre, for receivers
 /// that are not nearer to that than [`NEAR`] radii.
-const REACH: f32 = 1.4;
+const REACH: f32 = 1.42;
 const NEAR: f32 = 1.5;
 
 /// Below this distance a receiver is taken to be at a lamp's centre.

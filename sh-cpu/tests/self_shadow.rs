@@ -105,8 +105,9 @@ fn radiance_follows_the_surface_without_jumps() -> Result<(), Box<dyn std::error
             largest_change(STEPS, limits)?,
             largest_change(16 * STEPS, limits)?,
         ];
-        // A jump would stay as it is; what is continuous falls to a sixteenth.
-        assert!(rough < 40.0 / STEPS as f32, "{limits:?}: {rough}");
+        // A jump would stay as it is; what is continuous falls to a sixteenth. Next to a sphere that is nearly below the
+        // horizon light changes within some hundredths of its radius, as the truth does.
+        assert!(rough < 64.0 / STEPS as f32, "{limits:?}: {rough}");
         assert!(fine < rough / 10.0, "{limits:?}: {rough}, then {fine}");
     }
     Ok(())

@@ -11,7 +11,7 @@
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Quality {
-    /// The softest light, in .84 of the time of shadows. Against rays under the map itself, direct light of the bunny in a city
+    /// The softest light, in .9 of the time of shadows. Against rays under the map itself, direct light of the bunny in a city
     /// is 3.1 % off.
     Fast,
     /// The middle, and what is taken where nothing is said: the paper's order, 2.4 % off.

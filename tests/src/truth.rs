@@ -184,10 +184,14 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
         }
         "transfer" => transfer(order, &a[0], three(&a[1])),
         "horizon_radius" => {
-            let (u, x) = ((0.5 + 0.5 * a[0][0]).clamp(0.0, 1.0), a[1][0]);
-            let [low, middle, high] = fits::horizon().map(|c| polynomial(&c, u));
-            let sum = low + x * middle + x.powi(8) * high;
-            vec![(u * (1.0 + (1.0 - u) * sum)).max(0.0)]
+            // A sphere that touches from above, seen from where it does, is as any next to it.
+            let u = (0.5 + 0.5 * a[0][0]).clamp(0.0, 1.0 - f64::from(f32::EPSILON));
+            let (rest, x) = (1.0 - u, a[1][0].min(1.0));
+            let (polynomials, [a, b, c]) = fits::horizon();
+            let [low, middle, high] = polynomials.map(|p| polynomial(&p, u));
+            let sum = low + x * middle + x * x * high;
+            let below = (1.0 - x) * (1.0 + a * u) + rest * (b + c * u);
+            vec![(u * (1.0 + rest * sum / below)).max(0.0)]
         }
         "exp_saturating" => saturating(order, &a[0]),
         "exp_sampled" => pointwise(order, Fineness::Medium, &a[0], clamped),

@@ -23,7 +23,7 @@ use sh_scene::{Mesh, Sphere};
 use solve::Receiver;
 
 /// Changes whenever the same body may get other weights than before: those that were kept are then of no use.
-pub(crate) const WEIGHTS_VERSION: u32 = 1;
+pub(crate) const WEIGHTS_VERSION: u32 = 2;
 
 /// A body in one of its poses.
 pub(crate) struct Pose {
