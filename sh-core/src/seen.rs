@@ -90,7 +90,7 @@ impl<L: Lane> Seen<L> {
     /// What of a ball is above the horizon of a receiver with this unit normal: the ball as it is where it lies wholly
     /// above, otherwise what stands for it. `own` is 1 for a ball of the receiver's own body and 0 for all others.
     ///
-    /// Cost: 60 operations, three divisions and two square roots.
+    /// Cost: 60 operations, four divisions and two square roots.
     ///
     /// ```
     /// use sh_core::seen::Seen;

@@ -45,7 +45,7 @@ pub struct Blockers<'a> {
 /// `sum`, on the scale of [`Routines::accumulate_blocker`], plus the blockers' log visibilities, to be inlined into [`crate::Outline::accumulate`].
 ///
 /// Cost per receiver and blocker at order 4: about 110 operations, a division and two square roots for one in
-/// front; for one across the tangent plane 50 more, with two more divisions. A blocker behind the
+/// front; for one across the tangent plane 50 more, with three more divisions. A blocker behind the
 /// tangent planes of all receivers in a group of lanes costs one dot product.
 #[inline(always)]
 pub(crate) fn accumulated<L: Lane, const C: usize>(
