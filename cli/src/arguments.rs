@@ -1,9 +1,9 @@
 //! Arguments of the commands that render: what they are and what they ask for.
 
 use clap::{Args, ValueEnum};
+use gaunt::program::size;
 use gaunt::render::{self, Backend, Frames, Overrides, Reference, frame_numbers, frame_rate};
 use gaunt::truth::Source;
-use gaunt::validate;
 use gaunt::{compare, export, plan};
 use sh_bake::Cache;
 use std::path::PathBuf;
@@ -175,29 +175,6 @@ impl From<View> for gaunt::view::Options {
     }
 }
 
-/// Arguments of `gaunt validate`.
-#[derive(Args)]
-pub struct Validate {
-    /// A folder for a sheet of pictures a scene
-    #[arg(short, long, value_name = "FOLDER")]
-    out: Option<PathBuf>,
-    /// Print JSON instead of tables
-    #[arg(long)]
-    json: bool,
-    /// Width and height of each picture, in pixels
-    #[arg(long, value_name = "WxH", default_value = "192x108", value_parser = size)]
-    size: [u32; 2],
-    /// Paths a pixel; the noise that is left is told
-    #[arg(long, value_name = "PATHS", default_value_t = 128, value_parser = clap::value_parser!(u32).range(2..=1_048_576))]
-    reference: u32,
-    /// Only these scenes and tables
-    ///
-    /// Scenes are sphere, spheres, animal, bend-90, bend-180, box-1 and box-8; tables are counts, orders, bends, steps
-    /// and weights.
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    only: Vec<String>,
-}
-
 /// Arguments of `gaunt export`.
 #[derive(Args)]
 pub struct Export {
@@ -229,18 +206,6 @@ impl From<Export> for export::Options {
             routines: args.routines,
             prefix: args.prefix,
             out: args.out,
-        }
-    }
-}
-
-impl From<Validate> for validate::Options {
-    fn from(args: Validate) -> Self {
-        Self {
-            out: args.out,
-            json: args.json,
-            size: args.size,
-            paths: args.reference,
-            only: args.only,
         }
     }
 }
@@ -353,17 +318,6 @@ impl From<Quality> for sh_scene::Quality {
             Quality::Balanced => Self::Balanced,
             Quality::Accurate => Self::Accurate,
         }
-    }
-}
-
-fn size(text: &str) -> Result<[u32; 2], String> {
-    let sides = text
-        .split_once(['x', 'X'])
-        .and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
-    match sides {
-        Some([w, h]) if (1..=16_384).contains(&w) && (1..=16_384).contains(&h) => Ok([w, h]),
-        Some(_) => Err("each side must be 1 to 16384 pixels".into()),
-        None => Err("a size looks like 1280x720".into()),
     }
 }
 

@@ -1,7 +1,7 @@
-//! The exponentials by name: what `gaunt eval` computes and `gaunt accuracy` compares.
+//! The exponentials by name: what `gaunt eval` computes and `gaunt-lab accuracy` compares.
 
 use sh_codegen::sampled::{self, Fineness};
-use sh_core::cap::Fit;
+use sh_core::cap::{self, Fit};
 use sh_core::exp::{self, Outlined};
 use sh_core::log::Logarithm;
 use sh_core::{Lane, Routines};
@@ -141,6 +141,22 @@ impl Exponential {
 
 /// Every rule that samples are taken on.
 pub const FINENESSES: [Fineness; 3] = [Fineness::Coarse, Fineness::Medium, Fineness::Fine];
+
+/// The eigen logarithm of the visibility beside a cap of angular radius `angle`: its zonal coefficients.
+///
+/// ```
+/// // A cap without extent hides nothing: the logarithm of 1.
+/// let log = gaunt::exponential::eigen_log::<16>(0.0);
+/// assert!(log.len() == 4 && log.iter().all(|l| l.abs() < 1e-9));
+/// ```
+pub fn eigen_log<const C: usize>(angle: f64) -> Vec<f64>
+where
+    [f64; C]: Logarithm,
+{
+    let zonal = cap::visibility::<C>(angle);
+    let log = <[f64; C]>::zonal(zonal, [0.0, 0.0, 1.0]).log();
+    (0..<[f64; C]>::ORDER).map(|l| log[l * l + l]).collect()
+}
 
 /// A function of its own for each routine: all of them inlined into one would take minutes to compile.
 #[inline(never)]

@@ -2,10 +2,8 @@
 //!
 //! The passes of `sh-gpu` leave all of this to their host; here the host is this program.
 
-mod shadows;
 mod stamps;
 
-pub use shadows::{Clock, Shadows};
 pub use stamps::Stamps;
 
 use crate::Error;

@@ -119,7 +119,7 @@ enum Kind {
 }
 
 /// The ending of a file's name, in small letters.
-pub(crate) fn ending(path: &Path) -> Option<String> {
+pub fn ending(path: &Path) -> Option<String> {
     let ending = path.extension()?;
     Some(ending.to_string_lossy().to_ascii_lowercase())
 }

@@ -22,35 +22,28 @@
 //! | `gaunt plan` | [`plan`] |
 //! | `gaunt ops` | [`ops`] |
 //! | `gaunt export` | [`export`], with files of [`image::Output`] |
-//! | `gaunt fit` | [`fit`] |
-//! | `gaunt bench` | [`mod@bench`] |
-//! | `gaunt spheres` | [`spheres`] |
 //! | `gaunt compare` | [`compare`], on the path tracer over pictures in [`truth`] |
-//! | `gaunt validate` | [`validate`], on [`compare`] |
 //! | `gaunt view` | `view`, with the feature of that name |
-//! | `gaunt accuracy` | [`accuracy`], on the exponentials of [`exponential`] |
+//!
+//! [`program`], [`progress`], [`image`], [`words`] and [`exponential`] serve `gaunt-lab` as well, which measures.
 
-pub mod accuracy;
-pub mod bench;
 pub mod compare;
 mod error;
 pub mod eval;
 pub mod exponential;
 pub mod export;
-pub mod fit;
 pub mod gpu;
 pub mod image;
 pub mod ops;
 pub mod plan;
+pub mod program;
 pub mod progress;
 pub mod project;
 pub mod render;
 pub mod report;
-pub mod spheres;
 pub mod truth;
-pub mod validate;
 #[cfg(feature = "view")]
 pub mod view;
-mod words;
+pub mod words;
 
 pub use error::Error;

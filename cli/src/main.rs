@@ -2,21 +2,18 @@
 
 mod arguments;
 
-use arguments::{Compare, Export, Plan, Render, Validate};
+use arguments::{Compare, Export, Plan, Render};
 use clap::{Parser, Subcommand, ValueEnum};
-use gaunt::render::{Backend, Options};
-use gaunt::{
-    Error, accuracy, bench, compare, eval, export, fit, ops, plan, project, render, spheres,
-    validate,
-};
+use gaunt::render::Options;
+use gaunt::{Error, compare, eval, export, ops, plan, project, render};
 use sh_bake::Cache;
-use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Soft shadows from environment light, in spherical harmonics.
 ///
-/// Without a command, renders the built-in scene to gaunt.png.
+/// Without a command, renders the built-in scene to gaunt.png. What measures the library, its accuracy and its times, is
+/// a program of its own: gaunt-lab.
 #[derive(Parser)]
 #[command(version, about, long_about)]
 struct Cli {
@@ -47,11 +44,6 @@ enum Command {
     /// The truth is traced path by path from one receiver a pixel, twice: with bodies as the only reflectors, as the
     /// passes assume, and with the ground reflecting too. Figures are in parts of the mean radiance.
     Compare(Compare),
-    /// Compare the validation scenes of spherical lights with the truth, and measure where errors come from
-    ///
-    /// The scenes are those of Guerrero et al. 2008, figures 8 to 10, made by code; docs/INDIRECT.md shows them. Takes
-    /// some minutes.
-    Validate(Validate),
     /// Print the SH coefficients of an environment map
     ///
     /// One row a coefficient, index l*l + l + m, with red, green and blue. Nothing is windowed, and solid
@@ -95,62 +87,6 @@ enum Command {
     /// One file a language and order, without dependencies; every name starts with a prefix. docs/EXPORT.md tells how to
     /// include it. GLSL comes in three versions (450, 330 and 300 es), SPIR-V as entry points and as a library to link.
     Export(Export),
-    /// Measure what accuracy costs: every exponential and logarithm against the truth, and in time
-    ///
-    /// Prints a table: for each SH order the methods from fast to slow, with their errors over 1,000 random sets
-    /// of blockers and the time of a receiver. Methods with a star have none that is both faster and more accurate.
-    Accuracy {
-        /// Write all rows to this file
-        #[arg(long, value_name = "FILE.json")]
-        json: Option<PathBuf>,
-        /// Draw error against time to this file, .svg or .png, and whole pictures to a second one beside it
-        #[arg(long, value_name = "FILE")]
-        plot: Option<PathBuf>,
-        /// Write the page that sums it up to this file
-        #[arg(long, value_name = "FILE.md")]
-        page: Option<PathBuf>,
-    },
-    /// Time moving scenes: every stage of a frame, against one lane on one thread and against the machine's peak
-    ///
-    /// The scenes are made by code at the scale of Ren et al. 2006 and Guerrero et al. 2008. On a shared machine trust the ratios.
-    Bench {
-        /// What to time
-        #[arg(value_enum)]
-        bench: bench::Bench,
-        /// What shades; auto takes a GPU if there is one
-        #[arg(long, value_enum, default_value_t = Backend::Cpu)]
-        backend: Backend,
-        /// Print JSON instead of tables
-        #[arg(long)]
-        json: bool,
-        /// Draw the comparison with rays, or that of lights, to this file, .svg or .png
-        #[arg(long, value_name = "FILE")]
-        plot: Option<PathBuf>,
-    },
-    /// Fit spheres to meshes, and measure how tight they are beside simpler sets
-    ///
-    /// Prints a table: the volume of the spheres outside the mesh over the mesh's volume, for the fit that shadows use,
-    /// for the leaves of an octree and for plain clustering. All are measured by the same exact sum.
-    Spheres {
-        /// Mesh files; without one, a box and a torus knot made by code
-        meshes: Vec<PathBuf>,
-        /// Numbers of spheres
-        #[arg(long, value_delimiter = ',', default_value = "8,16,32,64,128", value_parser = clap::value_parser!(u16).range(1..=4096))]
-        counts: Vec<u16>,
-        /// Write all rows to this file, too
-        #[arg(long, value_name = "FILE.json")]
-        json: Option<PathBuf>,
-    },
-    /// Refit all fitted constants of the library and write them as data files
-    Fit {
-        /// The folder for the files
-        #[arg(long, default_value = "codegen/data")]
-        out: PathBuf,
-
-        /// Only this file
-        #[arg(long)]
-        only: Option<String>,
-    },
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -161,62 +97,24 @@ enum Precision {
 }
 
 fn main() -> ExitCode {
-    // A damaged EXR file can end its decoder in a panic, which the loader catches and tells in a sentence: nobody
-    // needs to read both.
-    let usual = std::panic::take_hook();
-    std::panic::set_hook(Box::new(move |panic| {
-        let place = panic
-            .location()
-            .map(|location| location.file().replace('\\', "/"));
-        if !place.is_some_and(|file| file.contains("/exr-")) {
-            usual(panic);
-        }
-    }));
-    let cli = match Cli::try_parse() {
-        Ok(cli) => cli,
-        Err(error) => {
-            // Help goes to standard output and is no failure. Where printing fails, nobody reads it.
-            let _ = error.print();
-            return if error.use_stderr() {
-                ExitCode::FAILURE
-            } else {
-                ExitCode::SUCCESS
-            };
-        }
-    };
-    match run(cli.command) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            let text = error.to_string();
-            let end = if text.ends_with(['.', '!', '?']) {
-                ""
-            } else {
-                "."
-            };
-            let _ = writeln!(std::io::stderr(), "gaunt: {text}{end}");
-            ExitCode::FAILURE
-        }
-    }
+    gaunt::program::run("gaunt", |cli: Cli| run(cli.command))
 }
 
-fn run(command: Option<Command>) -> Result<(), Error> {
+/// Does what a command says; the text that is left to print.
+fn run(command: Option<Command>) -> Result<String, Error> {
     match command {
         None => {
             let options = Options {
                 cache: Cache::of_user(),
                 ..Options::default()
             };
-            say(&render::render(&options)?.to_string())
+            Ok(render::render(&options)?.to_string())
         }
-        Some(Command::Render(args)) => say(&render::render(&args.into())?.to_string()),
-        Some(Command::Plan(args)) => say(&plan::run(&args.into())?),
+        Some(Command::Render(args)) => Ok(render::render(&args.into())?.to_string()),
+        Some(Command::Plan(args)) => plan::run(&args.into()),
         #[cfg(feature = "view")]
-        Some(Command::View(args)) => match gaunt::view::run(&args.into())? {
-            text if text.is_empty() => Ok(()),
-            text => say(&text),
-        },
-        Some(Command::Compare(args)) => say(&compare::run(&args.into())?),
-        Some(Command::Validate(args)) => say(&validate::run(&args.into())?),
+        Some(Command::View(args)) => gaunt::view::run(&args.into()),
+        Some(Command::Compare(args)) => compare::run(&args.into()),
         Some(Command::Project {
             environment,
             order,
@@ -224,7 +122,7 @@ fn run(command: Option<Command>) -> Result<(), Error> {
         }) => {
             let map = sh_bake::load_environment(&environment)?;
             let coefficients = project::coefficients(&map, order)?;
-            say(&if json {
+            Ok(if json {
                 serde_json::json!(coefficients).to_string()
             } else {
                 project::table(&coefficients)
@@ -236,58 +134,17 @@ fn run(command: Option<Command>) -> Result<(), Error> {
                 Precision::F32 => eval::Backend::F32,
                 Precision::Gpu => eval::Backend::Gpu(Box::new(eval::Evaluator::new()?)),
             };
-            eval::serve(backend, std::io::stdin().lock(), std::io::stdout().lock())
+            eval::serve(backend, std::io::stdin().lock(), std::io::stdout().lock())?;
+            Ok(String::new())
         }
         Some(Command::Ops { json }) => {
             let counts = ops::counts();
-            say(&if json {
-                ops::json(&counts)?
+            if json {
+                Ok(ops::json(&counts)?)
             } else {
-                ops::table(&counts)
-            })
+                Ok(ops::table(&counts))
+            }
         }
-        Some(Command::Export(args)) => say(&export::run(&args.into())?),
-        Some(Command::Accuracy { json, plot, page }) => {
-            let options = accuracy::Options { json, plot, page };
-            say(&accuracy::run(&options)?)
-        }
-        Some(Command::Bench {
-            bench,
-            backend,
-            json,
-            plot,
-        }) => {
-            let options = bench::Options {
-                bench,
-                backend,
-                json,
-                plot,
-            };
-            say(&bench::run(&options)?)
-        }
-        Some(Command::Spheres {
-            meshes,
-            counts,
-            json,
-        }) => {
-            let options = spheres::Options {
-                meshes,
-                counts: counts.into_iter().map(usize::from).collect(),
-                json,
-            };
-            say(&spheres::run(&options)?)
-        }
-        Some(Command::Fit { out, only }) => say(&fit::write(&out, only.as_deref())?),
-    }
-}
-
-/// Prints to standard output. A reader that has gone away is no failure.
-fn say(text: &str) -> Result<(), Error> {
-    let mut output = std::io::stdout().lock();
-    match writeln!(output, "{text}").and_then(|()| output.flush()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(Error::file("write to", "standard output", error))
-        }
-        _ => Ok(()),
+        Some(Command::Export(args)) => export::run(&args.into()),
     }
 }

@@ -5,33 +5,42 @@ use ab_glyph::{Font, FontRef, Glyph, ScaleFont, point};
 use image::RgbImage;
 
 /// Red, green and blue, as a screen shows them.
-pub(crate) type Color = [u8; 3];
+pub type Color = [u8; 3];
 
 /// Right and down, in pixels.
-pub(crate) type Point = [f64; 2];
+pub type Point = [f64; 2];
 
 /// Which part of a text is at its position.
 #[derive(Clone, Copy)]
-pub(crate) enum Align {
+pub enum Align {
+    /// Its left end.
     Left,
+    /// Its middle.
     Center,
+    /// Its right end.
     Right,
 }
 
 /// A line of text, centred in height on its position.
-pub(crate) struct Text {
+pub struct Text {
+    /// The text itself, one line.
     pub words: String,
+    /// Where it is: `align` says which part of it.
     pub at: Point,
+    /// The em square's side, in pixels.
     pub size: f64,
+    /// Of the letters; the ground stays.
     pub color: Color,
+    /// The bold font instead of the regular one.
     pub bold: bool,
+    /// Which part of it is at `at`.
     pub align: Align,
     /// Reads upwards.
     pub upwards: bool,
 }
 
 /// Roboto, reduced to Latin letters; `assets/README.md` tells where it is from.
-pub(crate) const FONTS: [&[u8]; 2] = [
+pub const FONTS: [&[u8]; 2] = [
     include_bytes!("../assets/Roboto-Regular.ttf"),
     include_bytes!("../assets/Roboto-Bold.ttf"),
 ];
@@ -41,7 +50,7 @@ pub(crate) const FONTS: [&[u8]; 2] = [
 const MIDDLE: f64 = 0.264;
 
 /// The regular font and the bold one.
-pub(crate) struct Fonts([FontRef<'static>; 2]);
+pub struct Fonts([FontRef<'static>; 2]);
 
 impl Fonts {
     /// # Errors

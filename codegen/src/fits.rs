@@ -1,4 +1,4 @@
-//! Fitted functions: polynomials whose coefficients are data, rewritten by `gaunt fit`.
+//! Fitted functions: polynomials whose coefficients are data, rewritten by `gaunt-lab fit`.
 //!
 //! The files in `codegen/data/` hold one row of numbers a line, after the words it is found by; `#` starts a
 //! comment. They are compiled in, so that nobody who builds this crate runs a fit.

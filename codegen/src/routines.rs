@@ -273,7 +273,7 @@ pub const ROUTINES: &[Routine] = &[
     Routine {
         name: "cap_log",
         doc: "Zonal coefficients of the eigen logarithm of the visibility past a circular blocker of angular radius θ about +Z, for θ in 0..π/2, from its sine and cosine; no table look-up.\n\nAgainst the eigen logarithm, whose values reach 6.5, it errs by at most 0.004, 0.46, 0.41, 0.37 and 0.43 at orders 2 to 6, near the kinks where an eigenvalue is clipped; in the visibility that the exponential makes of it by at most 0.001, 0.060, 0.047, 0.042 and 0.036 of full visibility, as much as the eigen logarithm itself. Beyond π/2 the polynomials mean nothing: hand in π/2.",
-        source: "Ren et al. 2006, eq. 30–32, fitted; `gaunt fit` rewrites the coefficients and states their error.",
+        source: "Ren et al. 2006, eq. 30–32, fitted; `gaunt-lab fit` rewrites the coefficients and states their error.",
         example: "assert_eq!(<[f64; 16]>::cap_log(0.0, 1.0), [0.0; 4]);\nassert!(<[f64; 16]>::cap_log(0.6, 0.8)[0] < 0.0);",
         arguments: &[SIN, COS],
         result: Shape::Zonal,
@@ -291,7 +291,7 @@ pub const ROUTINES: &[Routine] = &[
     Routine {
         name: "cap_log_saturating",
         doc: "As `cap_log`, fitted to `exp_saturating` in the place of the eigen logarithm: sums of it over blockers are what that exponential is made for, and no other is. θ in 0..π/2.",
-        source: "Ren et al. 2006, eq. 33–34, with the logarithm fitted against true visibilities; `gaunt fit` rewrites the coefficients, `gaunt accuracy` states their error.",
+        source: "Ren et al. 2006, eq. 33–34, with the logarithm fitted against true visibilities; `gaunt-lab fit` rewrites the coefficients, `gaunt-lab accuracy` states their error.",
         example: "assert_eq!(<[f64; 16]>::cap_log_saturating(0.0, 1.0), [0.0; 4]);\nassert!(<[f64; 16]>::cap_log_saturating(0.6, 0.8)[0] < 0.0);",
         arguments: &[SIN, COS],
         result: Shape::Zonal,
@@ -309,7 +309,7 @@ pub const ROUTINES: &[Routine] = &[
     Routine {
         name: "cap_log_shading",
         doc: "As `cap_log`, fitted to `transfer` in the place of the eigen logarithm. θ in 0..π/2; of a small one band l is that of what the circle hides, so that few small blockers cast the whole of their shadow.",
-        source: "Ren et al. 2006, eq. 33–34, with the logarithm fitted against true transfers; `gaunt fit` rewrites the coefficients.",
+        source: "Ren et al. 2006, eq. 33–34, with the logarithm fitted against true transfers; `gaunt-lab fit` rewrites the coefficients.",
         example: "assert_eq!(<[f64; 16]>::cap_log_shading(0.0, 1.0), [0.0; 4]);\nassert!(<[f64; 16]>::cap_log_shading(0.6, 0.8)[0] < 0.0);",
         arguments: &[SIN, COS],
         result: Shape::Zonal,
@@ -349,7 +349,7 @@ pub const ROUTINES: &[Routine] = &[
     Routine {
         name: "ball_average",
         doc: "The vector whose dot product with what a ball's surface emits, a function of the direction from its centre, is the mean radiance that is seen of it: of all that is in sight, by solid angle. `d` points from the ball to where it is seen from, the angular radius θ in 0..π/2 comes as its sine and cosine.\n\nBand l is y_l(d) times the mean of P_l(cos α) over what is in sight, α the angle from `d`: from far away, weights are the cosines of the surface's slope, near by those of a small cap. That mean is fitted to 3e-6.",
-        source: "Guerrero et al. 2008, eq. 16–18, with weights by solid angle, (cos α − s)/(1 − 2 s cos α + s²)^(3/2), s = sin θ, where eq. 17 has the root alone; `gaunt fit` rewrites the coefficients.",
+        source: "Guerrero et al. 2008, eq. 16–18, with weights by solid angle, (cos α − s)/(1 − 2 s cos α + s²)^(3/2), s = sin θ, where eq. 17 has the root alone; `gaunt-lab fit` rewrites the coefficients.",
         example: "// Half of a ball is bright.\nlet emission = <[f64; 16]>::basis([0.0, 0.0, 1.0]);\nlet (sin, cos) = (0.6, 0.8);\nlet before = emission.dot(&<[f64; 16]>::ball_average(sin, cos, [0.0, 0.0, 1.0]));\nlet behind = emission.dot(&<[f64; 16]>::ball_average(sin, cos, [0.0, 0.0, -1.0]));\nassert!(before > 0.5 && behind < 0.1);",
         arguments: &[SIN, COS, D],
         result: Shape::Vector,
@@ -358,7 +358,7 @@ pub const ROUTINES: &[Routine] = &[
     Routine {
         name: "disc_covered",
         doc: "Which part of a disc in the sky of angular radius `a` another of radius `b` covers whose middle is at the distance `d`; radians, radii up to π/2.\n\nThe share of flat discs, fitted to 0.016; for those on a sphere angles stand for lengths. 0 for discs that do not touch, 1 for one that is covered, and nothing between is below or above.",
-        source: "The lens of two circles, fitted in place of its inverse cosines; `gaunt fit` rewrites the coefficients.",
+        source: "The lens of two circles, fitted in place of its inverse cosines; `gaunt-lab fit` rewrites the coefficients.",
         example: "let covered = |d: f64| <[f64; 4]>::disc_covered(0.2, 0.2, d);\nassert_eq!((covered(0.0), covered(0.4)), (1.0, 0.0));\nassert!((covered(0.2) - 0.391).abs() < 0.02);",
         arguments: &[
             ("a", Shape::Scalar),
@@ -371,7 +371,7 @@ pub const ROUTINES: &[Routine] = &[
     Routine {
         name: "exp_saturating",
         doc: "The visibility behind all blockers from `f`, the sum of their `cap_log_saturating`: samples of f, held in bounds by a fitted function in the place of e^x, projected back. The exponential of the shadow pass.\n\nWith x = f/√(1 + β‖f̂‖²/4π), f̂ being f without its mean, and t = x(s) held in −1..0.2, a sample becomes h(t) = ((1 + t)(1 − t/4))²: 1 for f = 0, at most 1.2996, and 0 where f says dark. Ripples of many overlapping blockers, which grow with their number, are compressed to the size of one blocker's; no |f| makes it diverge.\n\nPromises for any finite f: every sample lies in 0..=1.2996 before projection; the norm of the result is at most 1.2996 √4π (2 % more at order 6, where a band's gain is 1.02). A number that is not finite makes the result NaN or finite, never infinite. f is told apart up to ‖f̂‖ = 3e18.",
-        source: "Sampling rules: Lebedev 1976; β, the gains of the projection's bands and the logarithm fitted against true visibilities by `gaunt fit`.",
+        source: "Sampling rules: Lebedev 1976; β, the gains of the projection's bands and the logarithm fitted against true visibilities by `gaunt-lab fit`.",
         example: "let f = [-1e6_f64; 16];\nassert!(f.exp_saturating().iter().all(|g| g.abs() < 1.3 * sh_core::ROOT_FOUR_PI));\nlet clear = [0.0_f64; 16].exp_saturating();\nassert!((clear[0] - sh_core::ROOT_FOUR_PI).abs() < 1e-14);",
         arguments: &[F],
         result: Shape::Vector,
@@ -380,7 +380,7 @@ pub const ROUTINES: &[Routine] = &[
     Routine {
         name: "transfer",
         doc: "The transfer from light to what a surface of unit normal `d` reflects behind blockers, from `f`, the sum of their `cap_log_shading`: exp(f) times the cosine lobe over π, projected. Its dot product with a channel of the light is reflected radiance. What the shadow pass takes.\n\nAt samples x = f(s)/√(1 + β‖f̂‖²/4π), f̂ being f without its mean, held in −4..1/2, visibility is (1 + x/4)^4: 1 for f = 0, 0 where f says dark, at most 1.602. It is multiplied with the lobe there, of which all bands up to 2n − 2 are taken: those that couple light of order n with visibility of order n. Light of a lower order takes the first coefficients; that way all bands of the visibility are used.\n\nPromises for any finite f: the norm of the result is at most 1.602 times the lobe's at the samples, 0.82. Without blockers it is `cosine`. f is told apart up to ‖f̂‖ = 3e18.",
-        source: "(L, H(N), g) = L · (g * H(N)), Ren et al. 2006, eq. 10, by quadrature (Lebedev 1976); β and the logarithm fitted against true transfers by `gaunt fit`.",
+        source: "(L, H(N), g) = L · (g * H(N)), Ren et al. 2006, eq. 10, by quadrature (Lebedev 1976); β and the logarithm fitted against true transfers by `gaunt-lab fit`.",
         example: "let up = [0.0, 1.0, 0.0];\nlet clear = [0.0_f64; 16].transfer(up);\nassert!(clear.iter().zip(<[f64; 16]>::cosine(up)).all(|(a, b)| (a - b).abs() < 1e-12));\nassert!([-1e6_f64, 0.0, 0.0, 0.0].transfer(up).iter().all(|t| *t == 0.0));",
         arguments: &[F, D],
         result: Shape::Vector,
@@ -389,7 +389,7 @@ pub const ROUTINES: &[Routine] = &[
     Routine {
         name: "horizon_radius",
         doc: "Of a sphere that the horizon cuts: the radius of the one that stands for the part above it, over the sphere's own. It touches the horizon from above, below the sphere's centre, and hides the same share of an even sky, weighted by the cosine: a sphere of sine s that touches hides s^3. `height` is that of the sphere's centre over its radius, −1 (wholly below: 0) to 1 (wholly above: 1), `square` the square of the sine of the sphere's angular radius. Fitted: the share to 0.0133 of the sky, and that of a small sphere to 0.125 of what it hides when wholly above.",
-        source: "The form factor of a sphere that a horizon cuts (Snyder 1996, \"Area light sources for real-time graphics\"), to the power 1/3; `gaunt fit` rewrites the coefficients.",
+        source: "The form factor of a sphere that a horizon cuts (Snyder 1996, \"Area light sources for real-time graphics\"), to the power 1/3; `gaunt-lab fit` rewrites the coefficients.",
         example: "let radius = |height: f64| <[f64; 4]>::horizon_radius(height, 0.04);\nassert_eq!(radius(-1.0), 0.0);\nassert!((radius(1.0) - 1.0).abs() < 1e-6);\n// Half of it, seen from afar.\nassert!((radius(0.0) - 0.6).abs() < 0.1);",
         arguments: &[("height", Shape::Scalar), ("square", Shape::Scalar)],
         result: Shape::Scalar,
@@ -425,7 +425,7 @@ pub const ROUTINES: &[Routine] = &[
     Routine {
         name: "optimal_linear",
         doc: "The factors a and b of the optimal linear exponential a·1 + b·f̂ for a vector without DC, of norm ‖f̂‖ ≤ 1/4.",
-        source: "Ren et al. 2006, eq. 23–24, fitted; `gaunt fit` rewrites the coefficients and states their error.",
+        source: "Ren et al. 2006, eq. 23–24, fitted; `gaunt-lab fit` rewrites the coefficients and states their error.",
         example: "assert_eq!(<[f64; 16]>::optimal_linear(0.0), [1.0, 1.0]);",
         arguments: &[("norm", Shape::Scalar)],
         result: Shape::Pair,
@@ -434,7 +434,7 @@ pub const ROUTINES: &[Routine] = &[
     Routine {
         name: "optimal_linear_wide",
         doc: "The factors a and b of the optimal linear exponential a·1 + b·f̂ for a vector without DC of any norm ‖f̂‖, as a circle of that norm has them. Beyond the norm of the largest circle they stay as they are there.",
-        source: "Ren et al. 2006, eq. 23–24 and Figure 3, fitted; `gaunt fit` rewrites the coefficients and states their error.",
+        source: "Ren et al. 2006, eq. 23–24 and Figure 3, fitted; `gaunt-lab fit` rewrites the coefficients and states their error.",
         example: "let [a, b] = <[f64; 16]>::optimal_linear_wide(2.0);\nassert!(a > 1.0 && b > 0.5);",
         arguments: &[("norm", Shape::Scalar)],
         result: Shape::Pair,

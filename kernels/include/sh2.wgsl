@@ -394,7 +394,7 @@ fn sh2_cap_visibility(cosine: f32, sine: f32) -> array<f32, 2> {
 // to 6, near the kinks where an eigenvalue is clipped; in the visibility that the exponential makes of it by at most
 // 0.001, 0.060, 0.047, 0.042 and 0.036 of full visibility, as much as the eigen logarithm itself. Beyond pi/2 the
 // polynomials mean nothing: hand in pi/2.
-// Source: Ren et al. 2006, eq. 30-32, fitted; `gaunt fit` rewrites the coefficients and states their error.
+// Source: Ren et al. 2006, eq. 30-32, fitted; `gaunt-lab fit` rewrites the coefficients and states their error.
 // 18 multiplications, 15 additions.
 fn sh2_cap_log(sine: f32, cosine: f32) -> array<f32, 2> {
     let t2 = sine * sine;
@@ -457,8 +457,8 @@ fn sh2_add_cap_log(f: array<f32, 4>, sine: f32, cosine: f32, d: vec3<f32>) -> ar
 
 // As `cap_log`, fitted to `exp_saturating` in the place of the eigen logarithm: sums of it over blockers are what that
 // exponential is made for, and no other is. theta in 0..pi/2.
-// Source: Ren et al. 2006, eq. 33-34, with the logarithm fitted against true visibilities; `gaunt fit` rewrites the
-// coefficients, `gaunt accuracy` states their error.
+// Source: Ren et al. 2006, eq. 33-34, with the logarithm fitted against true visibilities; `gaunt-lab fit` rewrites the
+// coefficients, `gaunt-lab accuracy` states their error.
 // 12 multiplications, 9 additions.
 fn sh2_cap_log_saturating(sine: f32, cosine: f32) -> array<f32, 2> {
     let t2 = sine * sine;
@@ -509,7 +509,7 @@ fn sh2_add_cap_log_saturating(f: array<f32, 4>, sine: f32, cosine: f32, d: vec3<
 
 // As `cap_log`, fitted to `transfer` in the place of the eigen logarithm. theta in 0..pi/2; of a small one band l is
 // that of what the circle hides, so that few small blockers cast the whole of their shadow.
-// Source: Ren et al. 2006, eq. 33-34, with the logarithm fitted against true transfers; `gaunt fit` rewrites the
+// Source: Ren et al. 2006, eq. 33-34, with the logarithm fitted against true transfers; `gaunt-lab fit` rewrites the
 // coefficients.
 // 10 multiplications, 7 additions.
 fn sh2_cap_log_shading(sine: f32, cosine: f32) -> array<f32, 2> {
@@ -599,7 +599,7 @@ fn sh2_accumulated_log(f: array<f32, 4>) -> array<f32, 4> {
 // Band l is y_l(d) times the mean of P_l(cos alpha) over what is in sight, alpha the angle from `d`: from far away,
 // weights are the cosines of the surface's slope, near by those of a small cap. That mean is fitted to 3e-6.
 // Source: Guerrero et al. 2008, eq. 16-18, with weights by solid angle, (cos alpha - s)/(1 - 2 s cos alpha +
-// s^2)^(3/2), s = sin theta, where eq. 17 has the root alone; `gaunt fit` rewrites the coefficients.
+// s^2)^(3/2), s = sin theta, where eq. 17 has the root alone; `gaunt-lab fit` rewrites the coefficients.
 // 15 multiplications, 9 additions.
 fn sh2_ball_average(sine: f32, cosine: f32, d: vec3<f32>) -> array<f32, 4> {
     let t9 = fma(cosine, 0.10139153, (-0.4891273));
@@ -627,7 +627,7 @@ fn sh2_ball_average(sine: f32, cosine: f32, d: vec3<f32>) -> array<f32, 4> {
 //
 // The share of flat discs, fitted to 0.016; for those on a sphere angles stand for lengths. 0 for discs that do not
 // touch, 1 for one that is covered, and nothing between is below or above.
-// Source: The lens of two circles, fitted in place of its inverse cosines; `gaunt fit` rewrites the coefficients.
+// Source: The lens of two circles, fitted in place of its inverse cosines; `gaunt-lab fit` rewrites the coefficients.
 // 16 multiplications, 15 additions.
 fn sh2_disc_covered(a: f32, b: f32, d: f32) -> f32 {
     let t7 = a * b;
@@ -671,7 +671,7 @@ fn sh2_disc_covered(a: f32, b: f32, d: f32) -> f32 {
 // 1.2996 sqrt(4 pi) (2 % more at order 6, where a band's gain is 1.02). A number that is not finite makes the result
 // NaN or finite, never infinite. f is told apart up to |f^| = 3e18.
 // Source: Sampling rules: Lebedev 1976; beta, the gains of the projection's bands and the logarithm fitted against true
-// visibilities by `gaunt fit`.
+// visibilities by `gaunt-lab fit`.
 // 69 multiplications, 110 additions.
 fn sh2_exp_saturating(f: array<f32, 4>) -> array<f32, 4> {
     let t5 = f[1] * f[1];
@@ -833,7 +833,7 @@ fn sh2_exp_saturating(f: array<f32, 4>) -> array<f32, 4> {
 // Promises for any finite f: the norm of the result is at most 1.602 times the lobe's at the samples, 0.82. Without
 // blockers it is `cosine`. f is told apart up to |f^| = 3e18.
 // Source: (L, H(N), g) = L * (g * H(N)), Ren et al. 2006, eq. 10, by quadrature (Lebedev 1976); beta and the logarithm
-// fitted against true transfers by `gaunt fit`.
+// fitted against true transfers by `gaunt-lab fit`.
 // 114 multiplications, 123 additions.
 fn sh2_transfer(f: array<f32, 4>, d: vec3<f32>) -> array<f32, 4> {
     let t8 = f[1] * f[1];
@@ -1040,7 +1040,7 @@ fn sh2_transfer(f: array<f32, 4>, d: vec3<f32>) -> array<f32, 4> {
 // (wholly below: 0) to 1 (wholly above: 1), `square` the square of the sine of the sphere's angular radius. Fitted: the
 // share to 0.0133 of the sky, and that of a small sphere to 0.125 of what it hides when wholly above.
 // Source: The form factor of a sphere that a horizon cuts (Snyder 1996, "Area light sources for real-time graphics"),
-// to the power 1/3; `gaunt fit` rewrites the coefficients.
+// to the power 1/3; `gaunt-lab fit` rewrites the coefficients.
 // 16 multiplications, 19 additions.
 fn sh2_horizon_radius(height: f32, square: f32) -> f32 {
     let t5 = fma(height, 0.5, 0.5);
@@ -1382,7 +1382,7 @@ fn sh2_exp_sampled_fine(f: array<f32, 4>) -> array<f32, 4> {
 }
 
 // The factors a and b of the optimal linear exponential a*1 + b*f^ for a vector without DC, of norm |f^| <= 1/4.
-// Source: Ren et al. 2006, eq. 23-24, fitted; `gaunt fit` rewrites the coefficients and states their error.
+// Source: Ren et al. 2006, eq. 23-24, fitted; `gaunt-lab fit` rewrites the coefficients and states their error.
 // 6 multiplications, 6 additions.
 fn sh2_optimal_linear(norm: f32) -> vec2<f32> {
     let t4 = fma(norm, 0.00011931345, 0.039772596);
@@ -1398,7 +1398,7 @@ fn sh2_optimal_linear(norm: f32) -> vec2<f32> {
 
 // The factors a and b of the optimal linear exponential a*1 + b*f^ for a vector without DC of any norm |f^|, as a
 // circle of that norm has them. Beyond the norm of the largest circle they stay as they are there.
-// Source: Ren et al. 2006, eq. 23-24 and Figure 3, fitted; `gaunt fit` rewrites the coefficients and states their
+// Source: Ren et al. 2006, eq. 23-24 and Figure 3, fitted; `gaunt-lab fit` rewrites the coefficients and states their
 // error.
 // 17 multiplications, 17 additions.
 fn sh2_optimal_linear_wide(norm: f32) -> vec2<f32> {
@@ -1427,7 +1427,7 @@ fn sh2_optimal_linear_wide(norm: f32) -> vec2<f32> {
 
 // Zonal coefficients of the eigen logarithm of the visibility past a circular blocker about +Z whose angular radius
 // is a whole number of degrees, 0..=179; beyond that as at 179. The rows of the table behind `cap_log_table`.
-// Source: Ren et al. 2006, eq. 30-32, clipped at 0.02; `gaunt fit` computes it.
+// Source: Ren et al. 2006, eq. 30-32, clipped at 0.02; `gaunt-lab fit` computes it.
 fn sh2_cap_log_row(row: u32) -> array<f32, 2> {
     var z = array<f32, 2>();
     if (row < 90u) {

@@ -5704,7 +5704,7 @@ fn sh5_cap_visibility(cosine: f32, sine: f32) -> array<f32, 5> {
 // to 6, near the kinks where an eigenvalue is clipped; in the visibility that the exponential makes of it by at most
 // 0.001, 0.060, 0.047, 0.042 and 0.036 of full visibility, as much as the eigen logarithm itself. Beyond pi/2 the
 // polynomials mean nothing: hand in pi/2.
-// Source: Ren et al. 2006, eq. 30-32, fitted; `gaunt fit` rewrites the coefficients and states their error.
+// Source: Ren et al. 2006, eq. 30-32, fitted; `gaunt-lab fit` rewrites the coefficients and states their error.
 // 42 multiplications, 36 additions.
 fn sh5_cap_log(sine: f32, cosine: f32) -> array<f32, 5> {
     let t2 = sine * sine;
@@ -5882,8 +5882,8 @@ fn sh5_add_cap_log(f: array<f32, 25>, sine: f32, cosine: f32, d: vec3<f32>) -> a
 
 // As `cap_log`, fitted to `exp_saturating` in the place of the eigen logarithm: sums of it over blockers are what that
 // exponential is made for, and no other is. theta in 0..pi/2.
-// Source: Ren et al. 2006, eq. 33-34, with the logarithm fitted against true visibilities; `gaunt fit` rewrites the
-// coefficients, `gaunt accuracy` states their error.
+// Source: Ren et al. 2006, eq. 33-34, with the logarithm fitted against true visibilities; `gaunt-lab fit` rewrites the
+// coefficients, `gaunt-lab accuracy` states their error.
 // 27 multiplications, 21 additions.
 fn sh5_cap_log_saturating(sine: f32, cosine: f32) -> array<f32, 5> {
     let t2 = sine * sine;
@@ -6031,7 +6031,7 @@ fn sh5_add_cap_log_saturating(f: array<f32, 25>, sine: f32, cosine: f32, d: vec3
 
 // As `cap_log`, fitted to `transfer` in the place of the eigen logarithm. theta in 0..pi/2; of a small one band l is
 // that of what the circle hides, so that few small blockers cast the whole of their shadow.
-// Source: Ren et al. 2006, eq. 33-34, with the logarithm fitted against true transfers; `gaunt fit` rewrites the
+// Source: Ren et al. 2006, eq. 33-34, with the logarithm fitted against true transfers; `gaunt-lab fit` rewrites the
 // coefficients.
 // 22 multiplications, 16 additions.
 fn sh5_cap_log_shading(sine: f32, cosine: f32) -> array<f32, 5> {
@@ -6304,7 +6304,7 @@ fn sh5_accumulated_log(f: array<f32, 25>) -> array<f32, 25> {
 // Band l is y_l(d) times the mean of P_l(cos alpha) over what is in sight, alpha the angle from `d`: from far away,
 // weights are the cosines of the surface's slope, near by those of a small cap. That mean is fitted to 3e-6.
 // Source: Guerrero et al. 2008, eq. 16-18, with weights by solid angle, (cos alpha - s)/(1 - 2 s cos alpha +
-// s^2)^(3/2), s = sin theta, where eq. 17 has the root alone; `gaunt fit` rewrites the coefficients.
+// s^2)^(3/2), s = sin theta, where eq. 17 has the root alone; `gaunt-lab fit` rewrites the coefficients.
 // 104 multiplications, 49 additions.
 fn sh5_ball_average(sine: f32, cosine: f32, d: vec3<f32>) -> array<f32, 25> {
     let t9 = fma(cosine, 0.10139153, (-0.4891273));
@@ -6426,7 +6426,7 @@ fn sh5_ball_average(sine: f32, cosine: f32, d: vec3<f32>) -> array<f32, 25> {
 //
 // The share of flat discs, fitted to 0.016; for those on a sphere angles stand for lengths. 0 for discs that do not
 // touch, 1 for one that is covered, and nothing between is below or above.
-// Source: The lens of two circles, fitted in place of its inverse cosines; `gaunt fit` rewrites the coefficients.
+// Source: The lens of two circles, fitted in place of its inverse cosines; `gaunt-lab fit` rewrites the coefficients.
 // 16 multiplications, 15 additions.
 fn sh5_disc_covered(a: f32, b: f32, d: f32) -> f32 {
     let t7 = a * b;
@@ -6470,7 +6470,7 @@ fn sh5_disc_covered(a: f32, b: f32, d: f32) -> f32 {
 // 1.2996 sqrt(4 pi) (2 % more at order 6, where a band's gain is 1.02). A number that is not finite makes the result
 // NaN or finite, never infinite. f is told apart up to |f^| = 3e18.
 // Source: Sampling rules: Lebedev 1976; beta, the gains of the projection's bands and the logarithm fitted against true
-// visibilities by `gaunt fit`.
+// visibilities by `gaunt-lab fit`.
 // 812 multiplications, 1241 additions.
 fn sh5_exp_saturating(f: array<f32, 25>) -> array<f32, 25> {
     let t26 = f[1] * f[1];
@@ -7920,7 +7920,7 @@ fn sh5_exp_saturating(f: array<f32, 25>) -> array<f32, 25> {
 // Promises for any finite f: the norm of the result is at most 1.602 times the lobe's at the samples, 0.82. Without
 // blockers it is `cosine`. f is told apart up to |f^| = 3e18.
 // Source: (L, H(N), g) = L * (g * H(N)), Ren et al. 2006, eq. 10, by quadrature (Lebedev 1976); beta and the logarithm
-// fitted against true transfers by `gaunt fit`.
+// fitted against true transfers by `gaunt-lab fit`.
 // 1220 multiplications, 1467 additions.
 fn sh5_transfer(f: array<f32, 25>, d: vec3<f32>) -> array<f32, 25> {
     let t29 = f[1] * f[1];
@@ -9826,7 +9826,7 @@ fn sh5_transfer(f: array<f32, 25>, d: vec3<f32>) -> array<f32, 25> {
 // (wholly below: 0) to 1 (wholly above: 1), `square` the square of the sine of the sphere's angular radius. Fitted: the
 // share to 0.0133 of the sky, and that of a small sphere to 0.125 of what it hides when wholly above.
 // Source: The form factor of a sphere that a horizon cuts (Snyder 1996, "Area light sources for real-time graphics"),
-// to the power 1/3; `gaunt fit` rewrites the coefficients.
+// to the power 1/3; `gaunt-lab fit` rewrites the coefficients.
 // 16 multiplications, 19 additions.
 fn sh5_horizon_radius(height: f32, square: f32) -> f32 {
     let t5 = fma(height, 0.5, 0.5);
@@ -13083,7 +13083,7 @@ fn sh5_exp_sampled_fine(f: array<f32, 25>) -> array<f32, 25> {
 }
 
 // The factors a and b of the optimal linear exponential a*1 + b*f^ for a vector without DC, of norm |f^| <= 1/4.
-// Source: Ren et al. 2006, eq. 23-24, fitted; `gaunt fit` rewrites the coefficients and states their error.
+// Source: Ren et al. 2006, eq. 23-24, fitted; `gaunt-lab fit` rewrites the coefficients and states their error.
 // 6 multiplications, 6 additions.
 fn sh5_optimal_linear(norm: f32) -> vec2<f32> {
     let t4 = fma(-norm, 0.009283884, 0.039743613);
@@ -13099,7 +13099,7 @@ fn sh5_optimal_linear(norm: f32) -> vec2<f32> {
 
 // The factors a and b of the optimal linear exponential a*1 + b*f^ for a vector without DC of any norm |f^|, as a
 // circle of that norm has them. Beyond the norm of the largest circle they stay as they are there.
-// Source: Ren et al. 2006, eq. 23-24 and Figure 3, fitted; `gaunt fit` rewrites the coefficients and states their
+// Source: Ren et al. 2006, eq. 23-24 and Figure 3, fitted; `gaunt-lab fit` rewrites the coefficients and states their
 // error.
 // 17 multiplications, 17 additions.
 fn sh5_optimal_linear_wide(norm: f32) -> vec2<f32> {
@@ -13128,7 +13128,7 @@ fn sh5_optimal_linear_wide(norm: f32) -> vec2<f32> {
 
 // Zonal coefficients of the eigen logarithm of the visibility past a circular blocker about +Z whose angular radius
 // is a whole number of degrees, 0..=179; beyond that as at 179. The rows of the table behind `cap_log_table`.
-// Source: Ren et al. 2006, eq. 30-32, clipped at 0.02; `gaunt fit` computes it.
+// Source: Ren et al. 2006, eq. 30-32, clipped at 0.02; `gaunt-lab fit` computes it.
 fn sh5_cap_log_row(row: u32) -> array<f32, 5> {
     var z = array<f32, 5>();
     if (row < 90u) {

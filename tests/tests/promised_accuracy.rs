@@ -1,10 +1,10 @@
 //! What the default exponential promises over the standard random sets of blockers, and that no published method
 //! has both less error and fewer operations.
 
-use gaunt::accuracy::Row;
+use gaunt_lab::accuracy::Row;
 use std::sync::LazyLock;
 
-static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| gaunt::accuracy::rows(&|_| {}));
+static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| gaunt_lab::accuracy::rows(&|_| {}));
 
 /// Rows whose logarithms are summed in the order of the result.
 fn of(order: usize) -> impl Iterator<Item = &'static Row> {

@@ -16,7 +16,7 @@ struct Ball {
 
 /// The spheres of all bodies, the ground below them and the sky behind; linear radiance. Each shows what it emits in the
 /// direction of its surface's normal, or its body's colour in the open light where nothing is sent on.
-pub(crate) fn picture(
+pub fn picture(
     scene: &Scene,
     light: &Light,
     emission: &[Vec<[f32; 3]>],

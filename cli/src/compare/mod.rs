@@ -8,13 +8,13 @@
 //! | `measure` | figures of the difference |
 //! | `balls`, `pictures`, `sheet` | the spheres, and all pictures on one sheet |
 
-pub(crate) mod balls;
+pub mod balls;
 mod measure;
-pub(crate) mod ours;
-pub(crate) mod pictures;
+pub mod ours;
+pub mod pictures;
 mod print;
-pub(crate) mod sheet;
-pub(crate) mod twice;
+pub mod sheet;
+pub mod twice;
 mod view;
 
 pub use measure::{Figures, Parts, Radiance, scale};

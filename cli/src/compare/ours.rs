@@ -10,7 +10,8 @@ use sh_cpu::{
 use sh_scene::{Forest, Light, PassKind, Plan, Scene};
 
 /// Direct and indirect light, and what the spheres send on.
-pub(crate) struct Ours {
+pub struct Ours {
+    /// Radiance of each receiver.
     pub parts: Parts,
     /// The SH vectors of each sphere's emission in three channels, in the order of the scene's spheres; empty where
     /// nothing is sent on.
@@ -19,7 +20,7 @@ pub(crate) struct Ours {
 
 /// Runs the passes of the scene's plan on the CPU, at every receiver: what is left out is upsampling from half
 /// resolution.
-pub(crate) fn ours(scene: &Scene, light: &Light, seen: &Seen) -> Result<Ours, Error> {
+pub fn ours(scene: &Scene, light: &Light, seen: &Seen) -> Result<Ours, Error> {
     let plan = Plan::new(scene);
     let forest = scene.forest();
     let receivers = seen.receivers();

@@ -9,8 +9,10 @@ use sh_scene::Scene;
 const INDIRECT: f32 = 3.0;
 
 /// What pictures are made of besides radiance.
-pub(crate) struct Pictures<'a> {
+pub struct Pictures<'a> {
+    /// What is lit.
     pub scene: &'a Scene,
+    /// Its receivers.
     pub seen: &'a Seen,
     /// The factor between radiance and the tone curve.
     pub exposure: f32,

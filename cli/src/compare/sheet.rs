@@ -22,13 +22,15 @@ const SIZE: f64 = 17.0;
 const INK: [u8; 3] = [30, 30, 34];
 
 /// A picture of a sheet: linear radiance, row by row, with the exposure already in it.
-pub(crate) struct Cell {
+pub struct Cell {
+    /// What stands above it.
     pub caption: String,
+    /// Row by row from the top left.
     pub pixels: Vec<[f32; 3]>,
 }
 
 /// Whether a sheet can be written to a file of this name.
-pub(crate) fn check(file: &Path) -> Result<(), Error> {
+pub fn check(file: &Path) -> Result<(), Error> {
     match ending(file).as_deref() {
         Some("png") => Ok(()),
         _ => Err(Error::Usage(format!(
@@ -39,7 +41,7 @@ pub(crate) fn check(file: &Path) -> Result<(), Error> {
 }
 
 /// Writes rows of pictures of one size under a title.
-pub(crate) fn write(
+pub fn write(
     output: Output,
     file: &Path,
     title: &str,

@@ -9,8 +9,10 @@ use sh_reference::paths;
 use sh_scene::Scene;
 
 /// The mean of two independent halves, and half their difference, whose mean square is that of the mean's own error.
-pub(crate) struct Truth {
+pub struct Truth {
+    /// The mean of both.
     pub parts: Parts,
+    /// Half their difference.
     pub errors: Parts,
 }
 

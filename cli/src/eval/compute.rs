@@ -1,7 +1,7 @@
 //! Requests on the processor, by the routines of `sh-core`.
 
 use super::{CapLog, LogMethod, Op, Request};
-use crate::exponential::Real;
+use crate::exponential::{self, Real};
 use sh_core::log::{Logarithm, clipped_samples};
 use sh_core::{Routines, cap};
 
@@ -58,7 +58,7 @@ where
             rounded::<L>(cap::log_fitted_to::<C>(*fit, *angle))
         }
         Op::CapLog(angle, CapLog::Table) => rounded::<L>(cap::log_table::<C>(*angle)),
-        Op::CapLog(angle, CapLog::Eigen) => rounded::<L>(crate::fit::eigen_log::<C>(*angle)),
+        Op::CapLog(angle, CapLog::Eigen) => rounded::<L>(exponential::eigen_log::<C>(*angle)),
         Op::CapLog(angle, CapLog::Samples) => rounded::<L>(clipped_samples::<C>(
             cap::visibility::<C>(*angle),
             SAMPLES_FLOOR,

@@ -12,7 +12,7 @@ use sh_scene::{Forest, Pass, PassKind, Plan, Resolution, Scene, View};
 /// Places at which cuts are counted.
 const PLACES: usize = 64;
 
-/// The share of the peak that shading reaches: `gaunt bench battle` tells the inner loop's.
+/// The share of the peak that shading reaches: `gaunt-lab bench battle` tells the inner loop's.
 const SHARE: f64 = 0.3;
 
 /// Nanoseconds of a ray that is cast.

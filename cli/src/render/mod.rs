@@ -97,9 +97,11 @@ pub(crate) struct Changes {
 }
 
 /// A backend that was chosen: what it is and why.
-pub(crate) struct Choice {
-    pub(crate) gpu: Option<Gpu>,
-    pub(crate) reason: String,
+pub struct Choice {
+    /// The GPU; none for the CPU.
+    pub gpu: Option<Gpu>,
+    /// A sentence that says why.
+    pub reason: String,
 }
 
 /// Renders a scene to a file, or to one for each frame, and tells how that went. Where it fails, no file is left
@@ -294,7 +296,11 @@ pub(crate) fn load_with(
     Ok(loaded)
 }
 
-pub(crate) fn choose(backend: Backend) -> Result<Choice, Error> {
+/// The backend that was asked for, or the one that there is.
+///
+/// # Errors
+/// Where a GPU was asked for and there is none.
+pub fn choose(backend: Backend) -> Result<Choice, Error> {
     let cpu = |reason| Ok(Choice { gpu: None, reason });
     match backend {
         Backend::Cpu => cpu("The CPU was asked for.".into()),

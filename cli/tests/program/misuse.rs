@@ -245,7 +245,6 @@ fn options_that_make_no_sense_are_refused() {
             "missing.toml",
         ),
         (&["eval", "--backend", "f16"], "--backend"),
-        (&["fit", "--out", &folder.file("missing")], "--out"),
         (&["sing"], "sing"),
     ];
     for (arguments, named) in refused {

@@ -105,7 +105,7 @@ fn cap_log_row(order: usize) -> String {
     format!(
         "// Zonal coefficients of the eigen logarithm of the visibility past a circular blocker about +Z whose angular radius\n\
          // is a whole number of degrees, 0..={last}; beyond that as at {last}. The rows of the table behind `cap_log_table`.\n\
-         // Source: Ren et al. 2006, eq. 30-32, clipped at 0.02; `gaunt fit` computes it.\n\
+         // Source: Ren et al. 2006, eq. 30-32, clipped at 0.02; `gaunt-lab fit` computes it.\n\
          fn sh{order}_cap_log_row(row: u32) -> {result} {{\n    var z = {result}();\n{body}    return z;\n}}\n"
     )
 }

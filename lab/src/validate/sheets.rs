@@ -1,0 +1,43 @@
+//! A sheet of pictures for each scene, as `gaunt compare` draws it.
+
+use super::Options;
+use super::measure::Sight;
+use super::scenes::Case;
+use gaunt::Error;
+use gaunt::compare::pictures::Pictures;
+use gaunt::compare::{balls, sheet};
+use gaunt::image::{Output, exposure};
+use sh_scene::Scene;
+use std::path::Path;
+
+/// Writes the sheet of a scene into a folder.
+pub(super) fn write(
+    folder: &Path,
+    case: &Case,
+    scene: &Scene,
+    sight: &Sight,
+    options: &Options,
+) -> Result<(), Error> {
+    let file = folder.join(format!("{}.png", case.name));
+    let output = Output::create(&file)?;
+    let light = scene.light()?;
+    let ours = sight.ours(scene)?;
+    let pictures = Pictures {
+        scene,
+        seen: &sight.seen,
+        exposure: exposure(&light),
+    };
+    let spheres = balls::picture(scene, &light, &ours.emission, &sight.seen);
+    let mut rows = pictures.rows(&ours.parts, &sight.truth.parts, None, spheres);
+    // Direct light alone looks as all light does: it is in the tables.
+    rows.remove(1);
+    let mut title = case.title.to_string();
+    if let Some(first) = title.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    let title = format!(
+        "{title}: order {}, {} paths",
+        scene.settings.order, options.paths
+    );
+    sheet::write(output, &file, &title, &rows, options.size)
+}
