@@ -9,7 +9,7 @@
 //! Nothing is allocated.
 
 use crate::accumulate::Point;
-use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
+use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16, enter};
 use crate::outline::{Outline, OutlineAll};
 use crate::resolve::check_length;
 use crate::{Error, Path};
@@ -79,24 +79,6 @@ pub(crate) trait Group: Lane {
     fn store(self) -> Self::Of<f32>;
 }
 
-impl Group for f32 {
-    const COUNT: usize = 1;
-    type Of<T: Copy + Sync> = [T; 1];
-    type Token = ();
-    #[inline(always)]
-    fn each<T: Copy + Sync>(value: impl Fn(usize) -> T) -> [T; 1] {
-        [value(0)]
-    }
-    #[inline(always)]
-    fn gather((): (), value: impl Fn(usize) -> f32) -> Self {
-        value(0)
-    }
-    #[inline(always)]
-    fn store(self) -> [f32; 1] {
-        [self]
-    }
-}
-
 macro_rules! group {
     ($lanes:ident, $count:literal) => {
         impl<S: Simd> Group for $lanes<S> {
@@ -139,72 +121,13 @@ pub(crate) trait Job {
         [G; C]: Routines<G>;
 }
 
-/// Runs `$job` within the instruction set of `$path`, in lanes that fill its registers, with `$c` coefficients.
-/// `dispatch!` would compile every level; on x86 these are the ones that somebody runs. (A macro, because a generic
-/// function cannot say that its number of coefficients suits every instruction set.)
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-macro_rules! enter {
-    ($path:expr, $job:expr, $c:literal) => {{
-        use fearless_simd::{Level, Simd};
-        use $crate::Path;
-        use $crate::drive::Job;
-        use $crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
-        let (path, job) = ($path, $job);
-        macro_rules! with {
-            ($simd:expr, $lanes:ident) => {{
-                let simd = $simd;
-                simd.vectorize(
-                    #[inline(always)]
-                    || job.run::<$lanes<_>, $c>(simd),
-                )
-            }};
-        }
-        let level = match path {
-            Path::Scalar => None,
-            Path::One(level) | Path::Vector(level) => Some(level),
-        };
-        // A level has those below it.
-        if let (Path::One(_), Some(avx2)) = (path, level.and_then(Level::as_avx2)) {
-            with!(avx2, Lanes1)
-        } else if let (Path::One(_), Some(sse2)) = (path, level.and_then(Level::as_sse2)) {
-            with!(sse2, Lanes1)
-        } else if let Some(avx512) = level.and_then(Level::as_avx512) {
-            with!(avx512, Lanes16)
-        } else if let Some(avx2) = level.and_then(Level::as_avx2) {
-            with!(avx2, Lanes8)
-        } else if let Some(sse2) = level.and_then(Level::as_sse2) {
-            with!(sse2, Lanes4)
-        } else {
-            job.run::<f32, $c>(())
-        }
-    }};
-}
-
-#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-macro_rules! enter {
-    ($path:expr, $job:expr, $c:literal) => {{
-        use $crate::Path;
-        use $crate::drive::Job;
-        use $crate::lanes::{Lanes1, Lanes4};
-        let job = $job;
-        match $path {
-            Path::Scalar => job.run::<f32, $c>(()),
-            Path::One(level) => fearless_simd::dispatch!(level, simd => {
-                job.run::<Lanes1<_>, $c>(simd)
-            }),
-            Path::Vector(level) => fearless_simd::dispatch!(level, simd => {
-                job.run::<Lanes4<_>, $c>(simd)
-            }),
-        }
-    }};
-}
-
-pub(crate) use enter;
-
 /// What runs one chunk with `$c` coefficients.
 macro_rules! chunk_of {
     ($k:ty, $c:literal) => {
-        |path, chunk, kernel| enter!(path, Groups { chunk, kernel }, $c)
+        |path, chunk, kernel| {
+            let job = Groups { chunk, kernel };
+            enter!(path, Lanes, simd => job.run::<Lanes<_>, $c>(simd))
+        }
     };
 }
 

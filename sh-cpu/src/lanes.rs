@@ -183,7 +183,10 @@ macro_rules! vector_lane {
     };
 }
 
+mod enter;
 mod one;
+
+pub(crate) use enter::enter;
 pub use one::Lanes1;
 
 vector_lane! {

@@ -7,11 +7,11 @@ use fearless_simd::Level;
 /// [`Path::best`] is what the passes take by themselves; any other choice is for tests and benchmarks.
 /// Results of different paths agree within rounding and are not the same bits.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub enum Path {
-    /// One: plain `f32`, compiled for the build's baseline processor.
-    Scalar,
     /// One, with the instructions of this level, fused multiply-adds above all ([`crate::lanes::Lanes1`]): what
-    /// vectors are compared with.
+    /// vectors are compared with. With the feature `one-lane`, as it takes nearly as long to build as the vectors.
+    #[cfg(feature = "one-lane")]
     One(Level),
     /// As many as a register of this level holds; the processor is known to have its instructions.
     ///
@@ -29,11 +29,11 @@ impl Path {
 
     /// Every path this processor offers, from the plainest on.
     pub fn all() -> Vec<Self> {
-        let vectors = levels().into_iter().map(Self::Vector);
-        [Self::Scalar, Self::One(Level::new())]
-            .into_iter()
-            .chain(vectors)
-            .collect()
+        let mut all = Vec::new();
+        #[cfg(feature = "one-lane")]
+        all.push(Self::One(Level::new()));
+        all.extend(levels().into_iter().map(Self::Vector));
+        all
     }
 }
 

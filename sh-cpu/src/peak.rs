@@ -1,8 +1,8 @@
 //! What the processor can do at most.
 
 use crate::Path;
-use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
-use fearless_simd::{Level, Simd};
+use crate::drive::Group;
+use crate::lanes::enter;
 use sh_core::Lane;
 use std::hint::black_box;
 use std::time::Instant;
@@ -13,7 +13,7 @@ const CHAINS: usize = 12;
 /// Fused multiply-adds of `f32` a second on one thread, on the registers of a path: the best of several short runs of a
 /// loop that does nothing else. An addition or a multiplication alone costs as much as both together.
 ///
-/// Takes about 20 ms. The scalar path has no fused operation and is measured as a product and a sum.
+/// Takes about 20 ms. Where a level has no fused operation (SSE2), a product and a sum are measured.
 pub fn multiply_adds_per_second(path: Path) -> f64 {
     const ROUNDS: usize = 100_000;
     let mut best = f64::INFINITY;
@@ -29,61 +29,19 @@ pub fn multiply_adds_per_second(path: Path) -> f64 {
 
 /// How many numbers a path computes side by side.
 pub fn lanes(path: Path) -> usize {
-    match path {
-        Path::Scalar | Path::One(_) => 1,
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Path::Vector(level) if level.as_avx512().is_some() => {
-            Lanes16::<fearless_simd::Avx512>::COUNT
-        }
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Path::Vector(level) if level.as_avx2().is_some() => Lanes8::<fearless_simd::Avx2>::COUNT,
-        Path::Vector(_) => 4,
+    fn count<G: Group>(_: G::Token) -> usize {
+        G::COUNT
     }
+    enter!(path, Lanes, simd => count::<Lanes<_>>(simd))
 }
 
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 fn run(path: Path, rounds: usize, factor: f32) -> f32 {
-    macro_rules! with {
-        ($simd:expr, $lanes:ident, $count:literal) => {{
-            let simd = $simd;
-            simd.vectorize(
-                #[inline(always)]
-                || chains($lanes::from_array(simd, [factor; $count]), rounds).to_array()[0],
-            )
-        }};
-    }
-    match path {
-        Path::Scalar => chains(factor, rounds),
-        Path::One(level) => match (level.as_avx2(), level.as_sse2()) {
-            (Some(avx2), _) => with!(avx2, Lanes1, 1),
-            (None, Some(sse2)) => with!(sse2, Lanes1, 1),
-            (None, None) => chains(factor, rounds),
-        },
-        Path::Vector(level) => {
-            if let Some(avx512) = Level::as_avx512(level) {
-                with!(avx512, Lanes16, 16)
-            } else if let Some(avx2) = level.as_avx2() {
-                with!(avx2, Lanes8, 8)
-            } else if let Some(sse2) = level.as_sse2() {
-                with!(sse2, Lanes4, 4)
-            } else {
-                chains(factor, rounds)
-            }
-        }
-    }
+    enter!(path, Lanes, simd => first(chains(Lanes::from_array(simd, [factor; _]), rounds)))
 }
 
-#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-fn run(path: Path, rounds: usize, factor: f32) -> f32 {
-    match path {
-        Path::Scalar => chains(factor, rounds),
-        Path::One(level) => fearless_simd::dispatch!(level, simd => {
-            chains(Lanes1::from_array(simd, [factor; 1]), rounds).to_array()[0]
-        }),
-        Path::Vector(level) => fearless_simd::dispatch!(level, simd => {
-            chains(Lanes4::from_array(simd, [factor; 4]), rounds).to_array()[0]
-        }),
-    }
+#[inline(always)]
+fn first<G: Group>(all: G) -> f32 {
+    all.store().as_ref()[0]
 }
 
 #[inline(always)]

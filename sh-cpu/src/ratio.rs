@@ -13,7 +13,8 @@
 
 use crate::Path;
 use crate::accumulate::dot;
-use crate::drive::{Group, Job, enter};
+use crate::drive::{Group, Job};
+use crate::lanes::enter;
 use crate::outline::{Outline, OutlineAll};
 use glam::Vec3;
 use sh_core::Routines;
@@ -118,11 +119,11 @@ impl Ratios {
             logs: &mut self.logs,
         };
         match accumulation {
-            2 => enter!(path, job, 4),
-            3 => enter!(path, job, 9),
-            4 => enter!(path, job, 16),
-            5 => enter!(path, job, 25),
-            _ => enter!(path, job, 36),
+            2 => enter!(path, Lanes, simd => job.run::<Lanes<_>, 4>(simd)),
+            3 => enter!(path, Lanes, simd => job.run::<Lanes<_>, 9>(simd)),
+            4 => enter!(path, Lanes, simd => job.run::<Lanes<_>, 16>(simd)),
+            5 => enter!(path, Lanes, simd => job.run::<Lanes<_>, 25>(simd)),
+            _ => enter!(path, Lanes, simd => job.run::<Lanes<_>, 36>(simd)),
         }
         let ends = self.owners.iter().skip(1).map(|owner| owner.first);
         let ends = ends.chain([self.entries.len()]);

@@ -351,7 +351,7 @@ fn what_does_not_fit_is_refused() {
         );
     }
     light.coefficients.pop();
-    let path = Path::Scalar;
+    let path = Path::best();
     let error = shadow_on(path, &receivers, &spheres, &light, 4, &mut radiance).unwrap_err();
     assert_eq!(
         error,
