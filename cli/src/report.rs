@@ -30,7 +30,7 @@ pub fn planned(plan: &Plan) -> Vec<Planned> {
     let passes = plan.passes.iter();
     passes
         .map(|p| Planned {
-            pass: p.kind.name(),
+            pass: p.name(),
             reason: p.reason.clone(),
         })
         .collect()

@@ -99,19 +99,18 @@ pub enum Error {
         /// Pixels found.
         found: usize,
     },
-    /// A plan without a pass that the picture needs.
-    #[error(
-        "the plan has no {missing} pass: a picture needs gbuffer, one of irradiance, shadow and upsample, and resolve"
-    )]
-    Plan {
-        /// The pass that is missing.
-        missing: &'static str,
+    /// A plan that cannot be worked off.
+    #[error(transparent)]
+    Plan(#[from] sh_scene::PlanError),
+    /// A pass that is not in the table.
+    #[error("the pass {pass} is not one that the CPU has")]
+    NoTwin {
+        /// Its name.
+        pass: &'static str,
     },
-    /// A plan whose passes read what is not there yet.
-    #[error(
-        "the plan's passes are out of order: gbuffer comes first, then irradiance, shadow or upsample, then resolve"
-    )]
-    PlanOrder,
+    /// A plan of a picture where receivers are the caller's.
+    #[error("the plan is that of a picture: receivers of one's own are lit by Plan::of_receivers")]
+    NoCamera,
     /// Settings that give no light.
     #[error(transparent)]
     Light(#[from] sh_scene::LightError),

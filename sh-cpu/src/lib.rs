@@ -54,7 +54,7 @@ mod upsample;
 pub use accumulate::{Blockers, Point};
 pub use cut::{CutOptions, Cuts};
 pub use error::{Error, MAX_SIDE};
-pub use frame::{Frame, Frames, Work, render};
+pub use frame::{Frame, Frames, Lit, Work, render};
 pub use gbuffer::{Gbuffer, gbuffer};
 pub use geometry::{Geometry, Hit};
 pub use irradiance::{irradiance, irradiance_on};

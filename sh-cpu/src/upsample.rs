@@ -32,14 +32,8 @@ impl Halves {
         open: &[[f32; 3]],
     ) -> Result<Self, Error> {
         check_length("shadowed", receivers.len(), shadowed.len())?;
-        check_length("open", receivers.len(), open.len())?;
-        let share = |(shadowed, open): (&[f32; 3], &[f32; 3])| {
-            std::array::from_fn(|c| match open[c] {
-                open if open > 0.0 => shadowed[c] / open,
-                _ => 1.0,
-            })
-        };
-        let shares = shadowed.iter().zip(open).map(share).collect();
+        let mut shares = shadowed.to_vec();
+        share(&mut shares, open)?;
         Ok(Self {
             receivers,
             shares,
@@ -55,6 +49,20 @@ impl Halves {
         check_length("sent", self.receivers.len(), sent.len())?;
         Ok(Self { sent, ..self })
     }
+}
+
+/// Radiance to the share that it is of that without blockers; 1 where there is no light.
+///
+/// # Errors
+/// Where there is not one of each for a receiver.
+pub(crate) fn share(radiance: &mut [[f32; 3]], open: &[[f32; 3]]) -> Result<(), Error> {
+    check_length("open", radiance.len(), open.len())?;
+    for (radiance, open) in radiance.iter_mut().zip(open) {
+        for (radiance, &open) in radiance.iter_mut().zip(open) {
+            *radiance = if open > 0.0 { *radiance / open } else { 1.0 };
+        }
+    }
+    Ok(())
 }
 
 /// Samples that half resolution does not do for. Their memory is kept from band to band.

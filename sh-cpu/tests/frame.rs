@@ -5,7 +5,8 @@ mod common;
 use common::{object, scene, sphere_mesh};
 use glam::{Affine3A, Vec3, vec3};
 use sh_cpu::{Error, Frame, render};
-use sh_scene::{EnvironmentMap, Ground, PassKind, Plan, Scene};
+use sh_scene::passes::{GBUFFER, RESOLVE, SHADOW};
+use sh_scene::{EnvironmentMap, Ground, Plan, PlanError, Scene};
 use std::sync::Mutex;
 
 /// A ball on the ground under an even sky.
@@ -167,18 +168,28 @@ fn plans_that_make_no_picture_are_refused() {
     let scene = ball();
     let full = Plan::new(&scene);
     let refused = |plan: &Plan| render(&scene, plan, (8, 8), &|_| ()).unwrap_err();
-    for (kind, missing) in [
-        (PassKind::Gbuffer, "gbuffer"),
-        (PassKind::Shadow, "irradiance, shadow or upsample"),
-        (PassKind::Resolve, "resolve"),
+    for (pass, sentence) in [
+        (
+            &GBUFFER,
+            "the plan has no gbuffer pass, which would give shadow its receivers",
+        ),
+        (
+            &SHADOW,
+            "the plan has no irradiance, shadow or upsample pass, which would give resolve its radiance",
+        ),
+        (
+            &RESOLVE,
+            "the plan has no resolve pass, which would give the caller its picture",
+        ),
     ] {
         let mut plan = full.clone();
-        plan.passes.retain(|pass| pass.kind != kind);
-        assert_eq!(refused(&plan), Error::Plan { missing });
+        plan.passes.retain(|planned| !planned.is(pass));
+        assert_eq!(refused(&plan).to_string(), sentence);
     }
     let mut plan = full.clone();
     plan.passes.reverse();
-    assert_eq!(refused(&plan), Error::PlanOrder);
+    let order = matches!(refused(&plan), Error::Plan(PlanError::Order { .. }));
+    assert!(order, "{}", refused(&plan));
 }
 
 #[test]

@@ -5,10 +5,10 @@ mod common;
 use common::{object, scene, sphere_mesh};
 use glam::{Affine3A, Vec3, vec3};
 use sh_cpu::{CutOptions, Cuts, Frames, Path, Shadow, shadow_clusters};
+use sh_scene::passes::{GBUFFER, LIGHT_UPDATE};
 use sh_scene::surface::SurfacePoint;
 use sh_scene::{
-    AreaLight, Forest, Ground, Indirect, Light, Limits, NEGLIGIBLE, PassKind, Plan, Receiver,
-    Scene, Sphere,
+    AreaLight, Forest, Ground, Indirect, Light, Limits, NEGLIGIBLE, Plan, Receiver, Scene, Sphere,
 };
 use std::ops::Range;
 
@@ -223,10 +223,7 @@ fn two_balls() -> Scene {
 fn frames_do_again_what_has_changed_and_nothing_else() {
     let mut scene = two_balls();
     let plan = Plan::new(&scene);
-    let update = plan
-        .passes
-        .iter()
-        .position(|pass| pass.kind == PassKind::LightUpdate);
+    let update = plan.passes.iter().position(|pass| pass.is(&LIGHT_UPDATE));
     let update = update.expect("the balls see each other");
     let mut frames = Frames::default();
     let mut picture = |scene: &Scene| frames.render(scene, &plan, (32, 24), &|_| {}).unwrap();
@@ -282,7 +279,7 @@ fn every_pass_tells_its_work() {
             assert!(
                 work.tasks > 0 && work.bytes > 0,
                 "{}: {work:?}",
-                pass.kind.name()
+                pass.name()
             );
         }
         let bytes: u64 = frame.buffers.iter().map(|buffer| buffer.bytes).sum();
@@ -294,7 +291,7 @@ fn every_pass_tells_its_work() {
             .passes
             .iter()
             .zip(&frame.work)
-            .filter(|(pass, _)| pass.kind == PassKind::Gbuffer)
+            .filter(|(pass, _)| pass.is(&GBUFFER))
             .map(|(_, work)| work.tasks)
             .sum();
         assert_eq!(gbuffer, if half { 48 + 4 } else { 48 });

@@ -130,9 +130,15 @@ pub enum Error {
         /// How many were uploaded.
         uploaded: usize,
     },
-    /// A plan that makes no picture.
-    #[error("the plan {0}")]
-    Plan(&'static str),
+    /// A plan that cannot be worked off.
+    #[error(transparent)]
+    Plan(#[from] sh_scene::PlanError),
+    /// A pass that the GPU does not have, or has made no room for.
+    #[error("the GPU has no pass {pass} for this plan")]
+    NoPass {
+        /// Its name.
+        pass: &'static str,
+    },
     /// The device ran out of memory while it made what was asked for. What was made before stays usable.
     #[error("the device has no memory left for this; free some of it, or ask for less")]
     OutOfMemory,

@@ -140,6 +140,6 @@ pub use resolve::ResolvePass;
 pub use screen::{ScreenPart, ScreenPass};
 pub use screen_textures::{Position, ScreenCamera, ScreenTextures};
 pub use shadow::{Output, ShadowOptions, ShadowPass};
-pub use upsample::{HalfBinding, Shading, UpsampleBound, UpsamplePass};
+pub use upsample::{HalfBinding, RestBinding, UpsampleBound, UpsamplePass};
 pub use vertices::{VertexBound, VertexLayout, VertexPass};
 pub use watch::Watch;

@@ -6,7 +6,6 @@ use crate::records::Sender;
 use crate::scope::checked;
 use crate::slot::Slot;
 use crate::upload::{Kept, Known};
-use crate::upsample::first_and_last;
 use crate::{Bound, ClusterBinding, Error, LightGatherPass, ShadowPass};
 use glam::{Affine3A, Mat4, Quat};
 use sh_kernels::Pass;
@@ -436,4 +435,22 @@ fn of<'a>(buffer: &'a Buffer, name: &'static str, stride: u64) -> Slot<'a> {
 
 fn whole(buffer: &Buffer) -> wgpu::BufferBinding<'_> {
     buffer.as_entire_buffer_binding()
+}
+
+/// The timestamps of a first and of a last pass.
+fn first_and_last(
+    timestamps: Option<ComputePassTimestampWrites<'_>>,
+) -> [Option<ComputePassTimestampWrites<'_>>; 2] {
+    let Some(both) = timestamps else {
+        return [None, None];
+    };
+    let begin = ComputePassTimestampWrites {
+        end_of_pass_write_index: None,
+        ..both.clone()
+    };
+    let end = ComputePassTimestampWrites {
+        beginning_of_pass_write_index: None,
+        ..both
+    };
+    [Some(begin), Some(end)]
 }

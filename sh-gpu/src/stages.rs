@@ -1,66 +1,33 @@
-//! The passes of a plan, made and bound to the buffers of a frame.
+//! The passes of a plan on the GPU: how each is made, bound to the buffers of a frame, and recorded.
 
 use crate::buffers::Buffers;
 use crate::{
-    Bands, Bound, Drawn, Error, GbufferPass, IrradiancePass, LightGatherPass, LightUpdatePass,
-    Pipelines, ResolvePass, Shading, ShadowOptions, ShadowPass, Shining, UpsampleBound,
-    UpsamplePass,
+    Bands, Bodies, Bound, Drawn, Error, GbufferPass, IrradiancePass, LightGatherPass,
+    LightUpdatePass, Pipelines, ResolvePass, RestBinding, ShadowOptions, ShadowPass, Shining,
+    UpsampleBound, UpsamplePass,
 };
-use sh_scene::{Pass, PassKind, Plan, Resolution, Scene};
-use wgpu::{Buffer, BufferBinding, Device, Queue};
+use sh_scene::passes::{
+    GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, RESOLVE, SCATTER, SHADOW, SHARES, UPSAMPLE,
+};
+use sh_scene::{Domain, Pass, Plan, Planned, Scene, resource};
+use std::sync::Arc;
+use wgpu::{Buffer, BufferBinding, CommandEncoder, ComputePassTimestampWrites, Device, Queue};
 
 /// One pass of the plan, with what it binds for every band.
 #[derive(Debug)]
 pub(crate) struct Stage {
-    pub kind: PassKind,
-    /// Whether its bands are those of half resolution.
-    pub half: bool,
+    pub pass: &'static Pass,
+    pub at: Domain,
     pub work: Work,
 }
 
-impl Stage {
-    /// How many dispatches and draws a frame records; `drawn` is what is drawn of a band.
-    pub fn dispatches(&self, drawn: usize) -> usize {
-        let all = |bounds: &[Bound]| bounds.iter().map(Bound::dispatches).sum::<usize>();
-        match &self.work {
-            Work::LightUpdate { pass } => pass.dispatches(),
-            Work::Gbuffer { bound, .. } => all(bound) + bound.len() * drawn,
-            Work::Irradiance { bound, .. } | Work::Shadow { bound } => all(bound),
-            Work::LightGather { bound, .. } | Work::Resolve { bound, .. } => all(bound),
-            Work::Upsample { shares, bound, .. } => {
-                let bands = bound.iter().map(UpsampleBound::dispatches);
-                all(shares) + bands.sum::<usize>()
-            }
-        }
-    }
-
-    /// Bytes that have been uploaded for it alone since it was made.
-    pub fn uploaded(&self) -> u64 {
-        match &self.work {
-            Work::LightUpdate { pass } => pass.uploaded(),
-            Work::Irradiance { pass, .. } => pass.uploaded(),
-            _ => 0,
-        }
-    }
-
-    /// Name and bytes of GPU memory of a pass that this stage owns; those that several stages share are not counted.
-    pub fn bytes(&self) -> Option<(&'static str, u64)> {
-        Some(match &self.work {
-            Work::LightUpdate { pass } => ("light_update", pass.bytes()),
-            Work::Gbuffer { pass, .. } => ("gbuffer", pass.bytes()),
-            Work::Irradiance { pass, .. } => ("irradiance", pass.bytes()),
-            Work::Upsample { pass, .. } => ("upsample", pass.bytes()),
-            Work::Resolve { pass, .. } => ("resolve", pass.bytes()),
-            Work::Shadow { .. } | Work::LightGather { .. } => return None,
-        })
-    }
-}
-
+/// A pass and what it is bound to, band by band. Those that several passes of a plan share are one.
 #[derive(Debug)]
 pub(crate) enum Work {
-    /// Once a frame, before all bands.
     LightUpdate {
         pass: Box<LightUpdatePass>,
+        shadow: Arc<ShadowPass>,
+        gather: Arc<LightGatherPass>,
     },
     Gbuffer {
         pass: GbufferPass,
@@ -71,17 +38,25 @@ pub(crate) enum Work {
         bound: Vec<Bound>,
     },
     Shadow {
+        pass: Arc<ShadowPass>,
         bound: Vec<Bound>,
     },
     LightGather {
+        pass: Arc<LightGatherPass>,
         bound: Vec<Bound>,
         /// What has to be cleared before the first band.
         cleared: Option<Buffer>,
     },
+    Shares {
+        pass: Arc<UpsamplePass>,
+        bound: Vec<Bound>,
+    },
     Upsample {
-        pass: UpsamplePass,
-        /// For each band at half resolution.
-        shares: Vec<Bound>,
+        pass: Arc<UpsamplePass>,
+        bound: Vec<UpsampleBound>,
+    },
+    Scatter {
+        pass: Arc<UpsamplePass>,
         bound: Vec<UpsampleBound>,
     },
     Resolve {
@@ -90,32 +65,163 @@ pub(crate) enum Work {
     },
 }
 
+/// What a stage is recorded with.
+#[derive(Clone, Copy)]
+pub(crate) struct Recording<'a> {
+    /// The bands of the stage's domain.
+    pub bands: &'a Bands,
+    /// Which of them; 0 where the stage has none.
+    pub band: u32,
+    pub bodies: &'a Bodies,
+    /// Whether what spheres send on has been recorded as it is now.
+    pub sent: bool,
+    /// The queries of begin and end.
+    pub stamps: Option<(&'a wgpu::QuerySet, [u32; 2])>,
+}
+
+impl Stage {
+    /// Records a band of it, or all of it where it has none.
+    pub fn record(&self, encoder: &mut CommandEncoder, recording: Recording) {
+        let Recording {
+            bands,
+            band,
+            bodies,
+            sent,
+            stamps,
+        } = recording;
+        let writes = stamps.map(|(query_set, [begin, end])| ComputePassTimestampWrites {
+            query_set,
+            beginning_of_pass_write_index: Some(begin),
+            end_of_pass_write_index: Some(end),
+        });
+        let at = band as usize;
+        match &self.work {
+            Work::LightUpdate {
+                pass,
+                shadow,
+                gather,
+            } => match (sent, writes) {
+                (false, writes) => pass.record(encoder, shadow, gather, writes),
+                // Nothing has changed. Timestamps are written all the same: whoever reads them waits for them.
+                (true, Some(writes)) => {
+                    encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+                        label: Some("gaunt light_update, unchanged"),
+                        timestamp_writes: Some(writes),
+                    });
+                }
+                (true, None) => {}
+            },
+            Work::Gbuffer { pass, bound } => {
+                pass.record(encoder, bands, band, bodies, &bound[at], stamps);
+            }
+            Work::Irradiance { pass, bound } => pass.record(encoder, &bound[at], writes),
+            Work::Shadow { pass, bound } => pass.record(encoder, &bound[at], writes),
+            Work::LightGather {
+                pass,
+                bound,
+                cleared,
+            } => {
+                if let (0, Some(cleared)) = (band, cleared) {
+                    encoder.clear_buffer(cleared, 0, None);
+                }
+                pass.record(encoder, &bound[at], writes);
+            }
+            Work::Shares { pass, bound } => pass.record_shares(encoder, &bound[at], writes),
+            Work::Upsample { pass, bound } => {
+                pass.record(encoder, bands, band, &bound[at], writes);
+            }
+            Work::Scatter { pass, bound } => {
+                pass.record_scatter(encoder, bands, band, &bound[at], writes);
+            }
+            Work::Resolve { pass, bound } => {
+                pass.record(encoder, bands, band, &bound[at], writes);
+            }
+        }
+    }
+
+    /// How many dispatches and draws a frame records; `drawn` is what is drawn of a band.
+    pub fn dispatches(&self, drawn: usize) -> usize {
+        let all = |bounds: &[Bound]| bounds.iter().map(Bound::dispatches).sum::<usize>();
+        match &self.work {
+            Work::LightUpdate { pass, .. } => pass.dispatches(),
+            Work::Gbuffer { bound, .. } => all(bound) + bound.len() * drawn,
+            Work::Irradiance { bound, .. }
+            | Work::Shadow { bound, .. }
+            | Work::LightGather { bound, .. }
+            | Work::Shares { bound, .. }
+            | Work::Resolve { bound, .. } => all(bound),
+            Work::Upsample { bound, .. } => bound.iter().map(UpsampleBound::dispatches).sum(),
+            Work::Scatter { bound, .. } => {
+                let bands = bound.iter().map(UpsampleBound::scatter_dispatches);
+                bands.sum()
+            }
+        }
+    }
+
+    /// Bytes that have been uploaded for it alone since it was made.
+    pub fn uploaded(&self) -> u64 {
+        match &self.work {
+            Work::LightUpdate { pass, .. } => pass.uploaded(),
+            Work::Irradiance { pass, .. } => pass.uploaded(),
+            _ => 0,
+        }
+    }
+
+    /// Bytes of GPU memory of a pass that this stage owns; those that several stages share are not counted.
+    pub fn bytes(&self) -> Option<u64> {
+        Some(match &self.work {
+            Work::LightUpdate { pass, .. } => pass.bytes(),
+            Work::Gbuffer { pass, .. } => pass.bytes(),
+            Work::Irradiance { pass, .. } => pass.bytes(),
+            Work::Resolve { pass, .. } => pass.bytes(),
+            _ => return None,
+        })
+    }
+}
+
 /// What stages are made from.
 pub(crate) struct Setup<'a> {
     pub device: &'a Device,
     pub pipelines: &'a Pipelines,
     pub queue: &'a Queue,
     pub scene: &'a Scene,
+    pub buffers: &'a Buffers,
     pub bands: &'a Bands,
     pub halves: Option<&'a Bands>,
-    pub shadow: Option<&'a ShadowPass>,
-    pub gather: Option<&'a LightGatherPass>,
-    pub buffers: &'a Buffers,
+    pub shadow: Option<&'a Arc<ShadowPass>>,
+    pub gather: Option<&'a Arc<LightGatherPass>>,
+    pub upsample: Option<&'a Arc<UpsamplePass>>,
 }
 
-/// Whether a pass works at half resolution.
-pub(crate) fn is_half(pass: &Pass) -> bool {
-    pass.at == Resolution::Halves
-}
+/// How a pass of the table is made.
+type Make = fn(&Setup, Domain) -> Result<Work, Error>;
 
-/// The shadow pass that all passes of the plan share, if any needs one.
+/// All of them.
+static MAKERS: [(&Pass, Make); 9] = [
+    (&LIGHT_UPDATE, light_update),
+    (&GBUFFER, gbuffer),
+    (&IRRADIANCE, irradiance),
+    (&SHADOW, shadow),
+    (&LIGHT_GATHER, light_gather),
+    (&SHARES, shares),
+    (&UPSAMPLE, |setup, _| {
+        let (pass, bound) = setup.upsampled()?;
+        Ok(Work::Upsample { pass, bound })
+    }),
+    (&SCATTER, |setup, _| {
+        let (pass, bound) = setup.upsampled()?;
+        Ok(Work::Scatter { pass, bound })
+    }),
+    (&RESOLVE, resolve),
+];
+
+/// The shadow pass that all passes of the plan share, if any looks at blockers.
 pub(crate) fn shadow_pass(
     pipelines: &Pipelines,
     scene: &Scene,
     plan: &Plan,
 ) -> Result<Option<ShadowPass>, Error> {
-    let needs = |kind| plan.has(kind);
-    if !needs(PassKind::Shadow) && !needs(PassKind::Upsample) && !sends(plan) {
+    if !plan.is_blocked() {
         return Ok(None);
     }
     let blockers: usize = scene.objects.iter().map(|o| o.spheres.len()).sum();
@@ -132,7 +238,7 @@ pub(crate) fn shadow_pass(
 
 /// Whether spheres send light on.
 pub(crate) fn sends(plan: &Plan) -> bool {
-    plan.has(PassKind::LightUpdate) || plan.has(PassKind::LightGather)
+    plan.touches(resource::EMISSION)
 }
 
 fn emitters(scene: &Scene) -> u32 {
@@ -147,155 +253,179 @@ fn distributions(scene: &Scene) -> bool {
 
 impl Setup<'_> {
     /// One pass of the plan.
-    pub fn stage(&self, pass: &Pass) -> Result<Stage, Error> {
+    pub fn stage(&self, planned: &Planned) -> Result<Stage, Error> {
+        let maker = MAKERS.iter().find(|(pass, _)| planned.is(pass));
+        let (_, make) = maker.ok_or(Error::NoPass {
+            pass: planned.name(),
+        })?;
         Ok(Stage {
-            kind: pass.kind,
-            half: is_half(pass),
-            work: self.work(pass)?,
+            pass: planned.pass,
+            at: planned.at,
+            work: make(self, planned.at)?,
         })
     }
 
-    fn work(&self, pass: &Pass) -> Result<Work, Error> {
-        let &Self {
-            device,
-            queue,
-            pipelines,
-            ..
-        } = self;
-        Ok(match pass.kind {
-            PassKind::Gbuffer => {
-                let objects = &self.scene.objects;
-                let drawn = Drawn {
-                    bodies: objects.iter().any(|o| !o.mesh.triangles.is_empty()),
-                    ground: self.scene.ground.is_some(),
-                };
-                let raster = GbufferPass::drawing(pipelines, self.bands_of(pass)?, drawn)?;
-                let bound = self.each(pass, |[receivers, albedo, _]| {
-                    raster.bind(device, receivers, albedo)
-                })?;
-                Work::Gbuffer {
-                    pass: raster,
-                    bound,
-                }
-            }
-            PassKind::Irradiance => {
-                let order = self.scene.settings.order;
-                let (count, uneven) = (emitters(self.scene), distributions(self.scene));
-                let light = IrradiancePass::with(pipelines, order, count, uneven)?;
-                let bound = self.each(pass, |[receivers, _, radiance]| {
-                    light.bind(device, receivers, radiance)
-                })?;
-                Work::Irradiance { pass: light, bound }
-            }
-            PassKind::Shadow => {
-                let shadow = self.shadow()?;
-                let bound = self.each(pass, |[receivers, _, radiance]| {
-                    shadow.bind(device, receivers, radiance)
-                })?;
-                Work::Shadow { bound }
-            }
-            PassKind::LightUpdate => {
-                let bodies = self.scene.objects.iter().map(Shining::from);
-                let bounces = self.scene.settings.indirect.unwrap_or_default().bounces;
-                let (shadow, gather) = (self.shadow()?, self.gather()?);
-                let pass = LightUpdatePass::new(device, queue, shadow, gather, bodies, bounces)?;
-                let pass = Box::new(pass);
-                Work::LightUpdate { pass }
-            }
-            PassKind::LightGather => self.light_gather(pass)?,
-            PassKind::Upsample => self.upsample()?,
-            PassKind::Resolve => {
-                let (bands, buffers) = (self.bands, self.buffers);
-                let resolve = ResolvePass::with(pipelines, queue, bands, &self.scene.environment)?;
-                let bound = (0..bands.count()).map(|band| {
-                    let [receivers, albedo, radiance] = buffers.samples(bands, band);
-                    let picture = buffers.picture_of(bands, band);
-                    resolve.bind(device, receivers, albedo, radiance, picture)
-                });
-                Work::Resolve {
-                    bound: bound.collect::<Result<_, _>>()?,
-                    pass: resolve,
-                }
-            }
-        })
-    }
-
-    fn light_gather(&self, pass: &Pass) -> Result<Work, Error> {
-        let (device, gather) = (self.device, self.gather()?);
-        if !is_half(pass) {
-            let bound = self.each(pass, |[receivers, _, radiance]| {
-                gather.bind(device, receivers, radiance)
-            })?;
-            let cleared = None;
-            return Ok(Work::LightGather { bound, cleared });
-        }
-        // What is sent is interpolated apart from the light that blockers leave a share of.
-        let bands = self.bands_of(pass)?;
-        let bound = (0..bands.count()).map(|band| {
-            let half = self.buffers.half(bands, band).ok_or(NO_HALVES)?;
-            gather.bind(device, half.receivers, half.sent.ok_or(NO_HALVES)?)
-        });
-        Ok(Work::LightGather {
-            bound: bound.collect::<Result<_, Error>>()?,
-            cleared: self.buffers.half_sent().cloned(),
-        })
-    }
-
-    fn upsample(&self) -> Result<Work, Error> {
-        let &Self { device, bands, .. } = self;
-        let (halves, shadow) = (self.halves.ok_or(NO_HALVES)?, self.shadow()?);
-        let shading = Shading {
-            shadow,
-            gather: self.gather,
+    /// Binds receivers and something written for each of them, of every band of a domain.
+    fn each(
+        &self,
+        at: Domain,
+        bind: impl Fn(&Device, [BufferBinding<'_>; 3]) -> Result<Bound, Error>,
+    ) -> Result<Vec<Bound>, Error> {
+        let bands = self.bands_of(at)?;
+        let of = |band| match at {
+            Domain::Halves => self.buffers.half_band(bands, band).ok_or(NO_HALVES),
+            _ => Ok(self.buffers.samples(bands, band)),
         };
-        let pass = UpsamplePass::new(device, self.queue, bands, shading)?;
-        let shares = (0..halves.count()).map(|band| {
-            let half = self.buffers.half(halves, band).ok_or(NO_HALVES)?;
-            pass.bind_shares(device, half)
-        });
-        let shares = shares.collect::<Result<_, Error>>()?;
+        (0..bands.count())
+            .map(|band| bind(self.device, of(band)?))
+            .collect()
+    }
+
+    fn upsampled(&self) -> Result<(Arc<UpsamplePass>, Vec<UpsampleBound>), Error> {
+        let (bands, pass) = (self.bands, self.upsample()?);
+        let halves = self.bands_of(Domain::Halves)?;
         let bound = (0..bands.count()).map(|band| {
             let under = self.buffers.under(bands, halves, band).ok_or(NO_HALVES)?;
             let [receivers, _, radiance] = self.buffers.samples(bands, band);
-            pass.bind(device, shading, under, receivers, radiance)
+            pass.bind(self.device, under, receivers, radiance)
         });
-        Ok(Work::Upsample {
-            shares,
-            bound: bound.collect::<Result<_, Error>>()?,
-            pass,
-        })
+        let bound = bound.collect::<Result<_, Error>>()?;
+        Ok((pass, bound))
     }
 
-    /// Binds receivers, albedo and radiance of every band that a pass works on.
-    fn each(
+    /// Binds the list that upsampling leaves, band by band.
+    fn rest(
         &self,
-        pass: &Pass,
-        bind: impl Fn([BufferBinding<'_>; 3]) -> Result<Bound, Error>,
+        bind: impl Fn(&Device, RestBinding<'_>) -> Result<Bound, Error>,
     ) -> Result<Vec<Bound>, Error> {
-        let bands = self.bands_of(pass)?;
-        let of = |band| match is_half(pass) {
-            true => self.buffers.half_band(bands, band).ok_or(NO_HALVES),
-            false => Ok(self.buffers.samples(bands, band)),
-        };
-        (0..bands.count()).map(|band| bind(of(band)?)).collect()
+        let upsample = self.upsample()?;
+        let bands = (0..self.bands.count()).map(|band| upsample.rest(self.bands, band));
+        bands.map(|rest| bind(self.device, rest)).collect()
     }
 
-    fn bands_of(&self, pass: &Pass) -> Result<&Bands, Error> {
-        match is_half(pass) {
-            true => self.halves.ok_or(NO_HALVES),
-            false => Ok(self.bands),
+    fn bands_of(&self, at: Domain) -> Result<&Bands, Error> {
+        match at {
+            Domain::Halves => self.halves.ok_or(NO_HALVES),
+            _ => Ok(self.bands),
         }
     }
 
-    fn shadow(&self) -> Result<&ShadowPass, Error> {
-        self.shadow
-            .ok_or(Error::Plan("has no shadow pass for what it shades"))
+    fn shadow(&self) -> Result<Arc<ShadowPass>, Error> {
+        shared(self.shadow, "shadow")
     }
 
-    fn gather(&self) -> Result<&LightGatherPass, Error> {
-        self.gather
-            .ok_or(Error::Plan("has no light gather pass for what is sent on"))
+    fn gather(&self) -> Result<Arc<LightGatherPass>, Error> {
+        shared(self.gather, "light_gather")
+    }
+
+    fn upsample(&self) -> Result<Arc<UpsamplePass>, Error> {
+        shared(self.upsample, "upsample")
     }
 }
 
-const NO_HALVES: Error = Error::Plan("upsamples, but nothing in it works at half resolution");
+fn shared<T>(pass: Option<&Arc<T>>, name: &'static str) -> Result<Arc<T>, Error> {
+    pass.cloned().ok_or(Error::NoPass { pass: name })
+}
+
+/// Plans that were checked have what they upsample from.
+const NO_HALVES: Error = Error::NoPass {
+    pass: "gbuffer at half resolution",
+};
+
+fn light_update(setup: &Setup, _: Domain) -> Result<Work, Error> {
+    let bodies = setup.scene.objects.iter().map(Shining::from);
+    let bounces = setup.scene.settings.indirect.unwrap_or_default().bounces;
+    let (shadow, gather) = (setup.shadow()?, setup.gather()?);
+    let pass = LightUpdatePass::new(setup.device, setup.queue, &shadow, &gather, bodies, bounces)?;
+    Ok(Work::LightUpdate {
+        pass: Box::new(pass),
+        shadow,
+        gather,
+    })
+}
+
+fn gbuffer(setup: &Setup, at: Domain) -> Result<Work, Error> {
+    let objects = &setup.scene.objects;
+    let drawn = Drawn {
+        bodies: objects.iter().any(|o| !o.mesh.triangles.is_empty()),
+        ground: setup.scene.ground.is_some(),
+    };
+    let pass = GbufferPass::drawing(setup.pipelines, setup.bands_of(at)?, drawn)?;
+    let bound = setup.each(at, |device, [receivers, albedo, _]| {
+        pass.bind(device, receivers, albedo)
+    })?;
+    Ok(Work::Gbuffer { pass, bound })
+}
+
+fn irradiance(setup: &Setup, at: Domain) -> Result<Work, Error> {
+    let order = setup.scene.settings.order;
+    let (count, uneven) = (emitters(setup.scene), distributions(setup.scene));
+    let pass = IrradiancePass::with(setup.pipelines, order, count, uneven)?;
+    let bound = setup.each(at, |device, [receivers, _, radiance]| {
+        pass.bind(device, receivers, radiance)
+    })?;
+    Ok(Work::Irradiance { pass, bound })
+}
+
+fn shadow(setup: &Setup, at: Domain) -> Result<Work, Error> {
+    let pass = setup.shadow()?;
+    let bound = match at {
+        Domain::Rest => setup.rest(|device, rest| {
+            pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
+        })?,
+        _ => setup.each(at, |device, [receivers, _, radiance]| {
+            pass.bind(device, receivers, radiance)
+        })?,
+    };
+    Ok(Work::Shadow { pass, bound })
+}
+
+fn light_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
+    let (pass, mut cleared) = (setup.gather()?, None);
+    let bound = match at {
+        // What is sent is interpolated apart from the light that blockers leave a share of.
+        Domain::Halves => {
+            cleared = setup.buffers.half_sent().cloned();
+            let bands = setup.bands_of(at)?;
+            let bound = (0..bands.count()).map(|band| {
+                let half = setup.buffers.half(bands, band).ok_or(NO_HALVES)?;
+                pass.bind(setup.device, half.receivers, half.sent.ok_or(NO_HALVES)?)
+            });
+            bound.collect::<Result<_, Error>>()?
+        }
+        Domain::Rest => setup.rest(|device, rest| {
+            pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
+        })?,
+        _ => setup.each(at, |device, [receivers, _, radiance]| {
+            pass.bind(device, receivers, radiance)
+        })?,
+    };
+    Ok(Work::LightGather {
+        pass,
+        bound,
+        cleared,
+    })
+}
+
+fn shares(setup: &Setup, at: Domain) -> Result<Work, Error> {
+    let (halves, pass) = (setup.bands_of(at)?, setup.upsample()?);
+    let bound = (0..halves.count()).map(|band| {
+        let half = setup.buffers.half(halves, band).ok_or(NO_HALVES)?;
+        pass.bind_shares(setup.device, half)
+    });
+    let bound = bound.collect::<Result<_, _>>()?;
+    Ok(Work::Shares { pass, bound })
+}
+
+fn resolve(setup: &Setup, _: Domain) -> Result<Work, Error> {
+    let (bands, buffers) = (setup.bands, setup.buffers);
+    let environment = &setup.scene.environment;
+    let pass = ResolvePass::with(setup.pipelines, setup.queue, bands, environment)?;
+    let bound = (0..bands.count()).map(|band| {
+        let [receivers, albedo, radiance] = buffers.samples(bands, band);
+        let picture = buffers.picture_of(bands, band);
+        pass.bind(setup.device, receivers, albedo, radiance, picture)
+    });
+    let bound = bound.collect::<Result<_, _>>()?;
+    Ok(Work::Resolve { pass, bound })
+}

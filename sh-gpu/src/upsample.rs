@@ -5,7 +5,7 @@ use crate::pipeline::{Kernel, buffer_entry};
 use crate::records::UpsampleRule;
 use crate::scope::checked;
 use crate::slot::Slot;
-use crate::{Bands, Bound, ClusterBinding, Error, LightGatherPass, ShadowPass};
+use crate::{Bands, Bound, ClusterBinding, Error, ShadowPass};
 use sh_kernels::Pass;
 use sh_scene::{Receiver, Tiles};
 use std::sync::Arc;
@@ -14,20 +14,24 @@ use wgpu::{
     CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
 };
 
-/// A joint bilateral filter from half resolution to samples ([`sh_scene::upsample`]), with the shadow pass for what it
-/// does not do for, on the host's device and encoder.
+/// A joint bilateral filter from half resolution to samples ([`sh_scene::upsample`]), and the list of those that it does not
+/// do for, on the host's device and encoder.
 ///
 /// ```no_run
 /// # use sh_gpu::{Bands, Error, HalfBinding, ShadowPass, UpsamplePass};
 /// # use wgpu::BufferBinding;
 /// # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, bands: &Bands,
 /// #     shadow: &ShadowPass, halves: HalfBinding, [receivers, radiance]: [BufferBinding; 2]) -> Result<(), Error> {
-/// let pass = UpsamplePass::new(device, queue, bands, shadow)?;
+/// let pass = UpsamplePass::new(device, queue, bands, shadow, false)?;
 /// let shares = pass.bind_shares(device, halves.clone())?;
-/// let bound = pass.bind(device, shadow, halves, receivers, radiance)?;
+/// let bound = pass.bind(device, halves, receivers, radiance)?;
+/// let rest = pass.rest(bands, 0);
+/// let again = shadow.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)?;
 /// // every frame, after the shadow pass at half resolution; here of a picture of one band
 /// pass.record_shares(encoder, &shares, None);
-/// pass.record(encoder, bands, 0, shadow, &bound, None);
+/// pass.record(encoder, bands, 0, &bound, None);
+/// shadow.record(encoder, &again, None);
+/// pass.record_scatter(encoder, bands, 0, &bound, None);
 /// # Ok(())
 /// # }
 /// ```
@@ -47,39 +51,35 @@ pub struct UpsamplePass {
     nothing: Buffer,
 }
 
-/// The passes that shade what [`UpsamplePass`] cannot take from half resolution.
-#[derive(Clone, Copy, Debug)]
-pub struct Shading<'a> {
-    /// Light through the visibility of all blockers.
-    pub shadow: &'a ShadowPass,
-    /// Light that spheres send on, where they do.
-    pub gather: Option<&'a LightGatherPass>,
-}
-
-impl<'a> From<&'a ShadowPass> for Shading<'a> {
-    fn from(shadow: &'a ShadowPass) -> Self {
-        Self {
-            shadow,
-            gather: None,
-        }
-    }
-}
-
-/// One band's buffers, bound to all parts of an [`UpsamplePass`].
+/// One band's buffers, bound to the two parts of an [`UpsamplePass`] that work on samples.
 #[derive(Clone, Debug)]
 pub struct UpsampleBound {
     upsample: Bound,
-    shadow: Bound,
-    gather: Option<Bound>,
     scatter: Bound,
 }
 
 impl UpsampleBound {
     /// How many dispatches [`UpsamplePass::record`] records.
     pub fn dispatches(&self) -> usize {
-        let gather = self.gather.as_ref().map_or(0, Bound::dispatches);
-        self.upsample.dispatches() + self.shadow.dispatches() + gather + self.scatter.dispatches()
+        self.upsample.dispatches()
     }
+
+    /// How many [`UpsamplePass::record_scatter`] records.
+    pub fn scatter_dispatches(&self) -> usize {
+        self.scatter.dispatches()
+    }
+}
+
+/// The samples of a band that half resolution does not do for: a list, which the ordinary passes shade. At the head of each
+/// tile's part of it are its samples, and the rest of the tile's part is left alone.
+#[derive(Clone, Debug)]
+pub struct RestBinding<'a> {
+    /// [`Receiver`] records, whose objects are the samples they come from.
+    pub receivers: BufferBinding<'a>,
+    /// The part of each tile that is filled.
+    pub clusters: ClusterBinding<'a>,
+    /// A `vec4f` each, to be written by whoever shades them.
+    pub radiance: BufferBinding<'a>,
 }
 
 /// What an [`UpsamplePass`] reads at half resolution: whole rows of tiles.
@@ -96,15 +96,14 @@ pub struct HalfBinding<'a> {
 
 impl UpsamplePass {
     /// Makes the pipelines for the bands of a picture's samples, and sets room aside for what one band has to shade
-    /// anew. Light comes as it was prepared for `shading`, the passes that [`bind`](Self::bind) is given.
-    pub fn new<'a>(
+    /// anew. Light comes as it was prepared for `shadow`; `sent` says whether spheres send any.
+    pub fn new(
         device: &Device,
         queue: &Queue,
         bands: &Bands,
-        shading: impl Into<Shading<'a>>,
+        shadow: &ShadowPass,
+        sent: bool,
     ) -> Result<Self, Error> {
-        let Shading { shadow, gather } = shading.into();
-        let sent = gather.is_some();
         checked(device, || {
             let compute = ShaderStages::COMPUTE;
             let uniform = BufferBindingType::Uniform;
@@ -203,12 +202,28 @@ impl UpsamplePass {
         self.shares.bind(device, &[receivers, radiance])
     }
 
+    /// The list of a band: whoever shades it binds this.
+    pub fn rest(&self, bands: &Bands, band: u32) -> RestBinding<'_> {
+        self.list(bands.receivers(band))
+    }
+
+    fn list(&self, count: u64) -> RestBinding<'_> {
+        let tiles = count.div_ceil(Tiles::AREA as u64);
+        RestBinding {
+            receivers: part(&self.anew, count * size_of::<Receiver>() as u64),
+            clusters: ClusterBinding {
+                clusters: part(&self.clusters, tiles * 8),
+                largest: Tiles::AREA as u32,
+            },
+            radiance: part(&self.shaded, count * 16),
+        }
+    }
+
     /// Binds a band's samples ([`Receiver`], read, and radiance as `vec4f`, written) and, at half resolution, the tiles
-    /// that lie under it ([`Bands::half_tile_rows`]). `shading` are the passes that shade anew.
-    pub fn bind<'a>(
+    /// that lie under it ([`Bands::half_tile_rows`]).
+    pub fn bind(
         &self,
         device: &Device,
-        shading: impl Into<Shading<'a>>,
         halves: HalfBinding<'_>,
         receivers: BufferBinding<'_>,
         radiance: BufferBinding<'_>,
@@ -217,14 +232,11 @@ impl UpsamplePass {
         let counting = Slot::counting("receivers", stride, receivers);
         let count = self.upsample.elements(&counting)?;
         let tiles = count.div_ceil(Tiles::AREA as u64);
-        let part = |buffer, size| BufferBinding {
-            buffer,
-            offset: 0,
-            size: wgpu::BufferSize::new(size),
-        };
-        let anew = part(&self.anew, count * stride);
-        let clusters = part(&self.clusters, tiles * 8);
-        let shaded = part(&self.shaded, count * 16);
+        let RestBinding {
+            receivers: anew,
+            clusters: ClusterBinding { clusters, .. },
+            radiance: shaded,
+        } = self.list(count);
         let sent = halves.sent.unwrap_or_else(|| part(&self.nothing, 16));
         let slots = [
             Slot::with("half_receivers", stride, 0, halves.receivers),
@@ -236,16 +248,6 @@ impl UpsamplePass {
             Slot::with("half_sent", 16, 0, sent),
         ];
         let upsample = self.upsample.bind_groups(device, &slots, tiles, 1)?;
-        let largest = Tiles::AREA as u32;
-        let all = ClusterBinding {
-            clusters: clusters.clone(),
-            largest,
-        };
-        let Shading { shadow, gather } = shading.into();
-        let gather = gather
-            .map(|gather| gather.bind_clusters(device, anew.clone(), all.clone(), shaded.clone()))
-            .transpose()?;
-        let shadow = shadow.bind_clusters(device, anew.clone(), all, shaded.clone())?;
         let slots = [
             Slot::with("clusters", 8, 0, clusters),
             Slot::with("anew", stride, 0, anew),
@@ -253,12 +255,7 @@ impl UpsamplePass {
             Slot::counting("radiance", 16, radiance),
         ];
         let scatter = self.scatter.bind_groups(device, &slots, tiles, 1)?;
-        Ok(UpsampleBound {
-            upsample,
-            shadow,
-            gather,
-            scatter,
-        })
+        Ok(UpsampleBound { upsample, scatter })
     }
 
     /// Records one compute pass that turns radiance at half resolution into shares. Once a frame.
@@ -272,43 +269,41 @@ impl UpsamplePass {
             .record(encoder, (&self.group, &[0]), bound, timestamps);
     }
 
-    /// Records three compute passes, or four where spheres send light on, that write the radiance of one band's samples.
-    /// `shading` is what [`bind`](Self::bind) was given.
-    pub fn record<'a>(
+    /// Records one compute pass that writes the radiance of one band's samples, and the list of those that are to be shaded
+    /// by themselves.
+    pub fn record(
         &self,
         encoder: &mut CommandEncoder,
         bands: &Bands,
         band: u32,
-        shading: impl Into<Shading<'a>>,
         bound: &UpsampleBound,
         timestamps: Option<ComputePassTimestampWrites<'_>>,
     ) {
-        let [begin, end] = first_and_last(timestamps);
         let own = (&self.group, &[bands.offset(band)][..]);
-        self.upsample.record(encoder, own, &bound.upsample, begin);
-        let Shading { shadow, gather } = shading.into();
-        shadow.record(encoder, &bound.shadow, None);
-        if let (Some(gather), Some(bound)) = (gather, &bound.gather) {
-            gather.record(encoder, bound, None);
-        }
-        self.scatter.record(encoder, own, &bound.scatter, end);
+        self.upsample
+            .record(encoder, own, &bound.upsample, timestamps);
+    }
+
+    /// Records one compute pass that writes the radiance of the list to its samples.
+    pub fn record_scatter(
+        &self,
+        encoder: &mut CommandEncoder,
+        bands: &Bands,
+        band: u32,
+        bound: &UpsampleBound,
+        timestamps: Option<ComputePassTimestampWrites<'_>>,
+    ) {
+        let own = (&self.group, &[bands.offset(band)][..]);
+        self.scatter
+            .record(encoder, own, &bound.scatter, timestamps);
     }
 }
 
-/// The timestamps of a first and of a last pass.
-pub(crate) fn first_and_last(
-    timestamps: Option<ComputePassTimestampWrites<'_>>,
-) -> [Option<ComputePassTimestampWrites<'_>>; 2] {
-    let Some(both) = timestamps else {
-        return [None, None];
-    };
-    let begin = ComputePassTimestampWrites {
-        end_of_pass_write_index: None,
-        ..both.clone()
-    };
-    let end = ComputePassTimestampWrites {
-        beginning_of_pass_write_index: None,
-        ..both
-    };
-    [Some(begin), Some(end)]
+/// The first bytes of a buffer.
+fn part(buffer: &Buffer, size: u64) -> BufferBinding<'_> {
+    BufferBinding {
+        buffer,
+        offset: 0,
+        size: wgpu::BufferSize::new(size),
+    }
 }

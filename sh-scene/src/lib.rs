@@ -24,7 +24,7 @@ mod light;
 mod lloyd;
 pub mod motion;
 pub mod order;
-mod plan;
+pub mod plan;
 mod quality;
 mod records;
 pub mod ringing;
@@ -43,7 +43,10 @@ pub use emitter::{AreaLight, AreaShape, Emitter};
 pub use environment::EnvironmentMap;
 pub use indirect::{Blocking, Indirect};
 pub use light::{Light, LightError};
-pub use plan::{Buffer, LeftOut, Pass, PassKind, Plan, Resolution, Resource, Shader};
+pub use plan::{
+    Buffer, Domain, LeftOut, PASSES, Part, Pass, Plan, PlanError, Planned, Resource, Shader, Step,
+    passes, resource,
+};
 pub use quality::Quality;
 pub use records::{Receiver, Sphere};
 pub use scene::{Ground, Material, Mesh, Object, Scene, Settings};

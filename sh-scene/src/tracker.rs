@@ -125,7 +125,7 @@ impl Tracker {
     ///
     /// # Errors
     /// As [`update`](Self::update).
-    pub fn relight(&mut self, scene: &Scene) -> Result<(), LightError> {
+    pub fn relight(&mut self, scene: &Scene) -> Result<&Light, LightError> {
         let changes = &mut self.changes;
         (changes.projections, changes.lamps, changes.light) = (0, 0, false);
         self.change_light(scene)
@@ -213,7 +213,7 @@ impl Tracker {
         changes.nodes = forest.update_objects(spheres, moved, &mut changes.ranges);
     }
 
-    fn change_light(&mut self, scene: &Scene) -> Result<(), LightError> {
+    fn change_light(&mut self, scene: &Scene) -> Result<&Light, LightError> {
         let settings = scene.settings;
         let EnvironmentMap { width, height, .. } = scene.environment;
         let sky = Sky {
@@ -223,20 +223,18 @@ impl Tracker {
             order: settings.order,
             window: settings.window,
         };
-        if self.sky != Some(sky) || self.light.is_none() {
-            let light = scene.environment_light()?;
-            if self
-                .light
-                .as_ref()
-                .is_none_or(|known| known.order != light.order)
-            {
-                self.lamps.clear();
+        let before = self.light.as_ref().map(|light| light.order);
+        let light = match self.light.take().filter(|_| self.sky == Some(sky)) {
+            Some(light) => self.light.insert(light),
+            None => {
+                let light = scene.environment_light()?;
+                if before != Some(light.order) {
+                    self.lamps.clear();
+                }
+                self.sky = Some(sky);
+                (self.changes.projections, self.changes.light) = (1, true);
+                self.light.insert(light)
             }
-            (self.sky, self.light) = (Some(sky), Some(light));
-            (self.changes.projections, self.changes.light) = (1, true);
-        }
-        let Some(light) = &mut self.light else {
-            return Ok(());
         };
         self.changes.light |= self.lamps.len() != scene.lights.len();
         self.lamps.truncate(scene.lights.len());
@@ -267,7 +265,7 @@ impl Tracker {
             let shining = self.lamps.iter().filter(|(lamp, _)| lamp.shines());
             light.emitters.extend(shining.map(|(_, emitter)| emitter));
         }
-        Ok(())
+        Ok(light)
     }
 }
 

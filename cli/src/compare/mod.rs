@@ -149,7 +149,7 @@ pub fn compare(options: &Options) -> Result<Comparison, Error> {
     let Ours {
         parts: ours,
         emission,
-    } = ours::ours(&scene, &light, &seen)?;
+    } = ours::ours(&scene, &seen)?;
     let seconds_ours = start.elapsed().as_secs_f64();
 
     progress.say("tracing paths");

@@ -4,7 +4,8 @@ use super::{FRAMES, Idle, Measured, idle, median, pose};
 use crate::Error;
 use sh_bake::Loaded;
 use sh_cpu::Frames;
-use sh_scene::{PassKind, Plan, View};
+use sh_scene::passes::LIGHT_UPDATE;
+use sh_scene::{Plan, View};
 use std::time::Instant;
 
 /// Runs some frames; a dispatch is a task that is handed to the threads.
@@ -28,7 +29,7 @@ pub(super) fn measure(loaded: &mut Loaded, plan: &Plan, view: &View) -> Result<M
     let mut all = idle(&loaded.scene, plan, &last.changes, nodes);
     let mut add = |name, reason| all.push(Idle { name, reason });
     let update = plan.passes.iter().zip(&last.work);
-    let mut update = update.filter(|(pass, _)| pass.kind == PassKind::LightUpdate);
+    let mut update = update.filter(|(pass, _)| pass.is(&LIGHT_UPDATE));
     if update.any(|(_, work)| work.tasks == 0) {
         let reason = "No body moved and no light changed: spheres send on what they did before.";
         add("light_update", reason.into());

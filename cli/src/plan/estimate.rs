@@ -7,19 +7,14 @@
 use crate::ops;
 use glam::Vec3;
 use sh_cpu::{Path, lane_count, multiply_adds_per_second};
-use sh_scene::{Forest, Pass, PassKind, Plan, Resolution, Scene, View};
+use sh_scene::plan::Units;
+use sh_scene::{Domain, Forest, Grid, Plan, Planned, Scene, View};
 
 /// Places at which cuts are counted.
 const PLACES: usize = 64;
 
 /// The share of the peak that shading reaches: `gaunt-lab bench battle` tells the inner loop's.
 const SHARE: f64 = 0.3;
-
-/// Nanoseconds of a ray that is cast.
-const RAY: f64 = 450.0;
-
-/// Nanoseconds of a sample that is put together from half resolution, and of one that becomes a part of a pixel.
-const SAMPLE: f64 = 60.0;
 
 /// The share of samples that half resolution does not do for.
 const ANEW: f64 = 0.1;
@@ -32,10 +27,12 @@ pub(super) fn of(plan: &Plan, scene: &Scene, view: &View) -> Vec<f64> {
     let threads = rayon::current_num_threads() as f64;
     let path = Path::best();
     let rate = multiply_adds_per_second(path) * lane_share(path) * SHARE;
-    let cost = Cost::of(plan, scene);
+    let spheres: usize = scene.objects.iter().map(|o| o.spheres.len()).sum();
+    let spheres = spheres as f64;
+    let units = units(plan, scene, spheres);
     let passes = plan.passes.iter();
     passes
-        .map(|pass| cost.seconds(pass, scene, view, rate) * 1e3 / threads)
+        .map(|planned| seconds(planned, &units, view, spheres, rate) * 1e3 / threads)
         .collect()
 }
 
@@ -44,70 +41,52 @@ fn lane_share(path: Path) -> f64 {
     if lane_count(path) > 1 { 1.0 } else { 0.5 }
 }
 
-/// Multiply-adds a receiver.
-struct Cost {
-    /// In the open.
-    open: f64,
-    /// Through all blockers of its cut.
-    shadow: f64,
-    /// Of what spheres send.
-    gather: f64,
+/// What parts of a receiver's work cost in this scene.
+fn units(plan: &Plan, scene: &Scene, spheres: f64) -> Units {
+    let settings = scene.settings;
+    let (order, accumulation) = (settings.order, settings.accumulation);
+    let counts = ops::counts();
+    let of = |routine: &str, order: usize| {
+        let found = counts
+            .iter()
+            .find(|c| c.routine == routine && c.order == order);
+        found.map_or(0.0, |count| count.mul.max(count.add) as f64)
+    };
+    let coefficients = (order * order) as f64;
+    let lamps = scene.lights.iter().filter(|lamp| lamp.shines()).count() as f64;
+    let lamp = of("cap_visibility", order) + of("zonal", order) + 2.0 * coefficients + 30.0;
+    let light = of("cosine", order) + 6.0 * coefficients + lamps * lamp;
+    let blockers = match plan.is_blocked() {
+        true => cut(scene),
+        false => 0.0,
+    };
+    let blocker = of("accumulate_blocker", accumulation) + 30.0;
+    let exponential = of("transfer", accumulation) + of("accumulated_log", accumulation);
+    let points: usize = scene.objects.iter().map(|o| o.surface.points.len()).sum();
+    Units {
+        open: light,
+        shadow: light + exponential + blockers * blocker,
+        gather: blockers * (of("ball_average", order) + 3.0 * coefficients + 8.0 * HIDER),
+        points: points as f64 / spheres.max(1.0),
+        bounces: scene
+            .settings
+            .indirect
+            .map_or(0.0, |i| f64::from(i.bounces)),
+    }
 }
 
-impl Cost {
-    fn of(plan: &Plan, scene: &Scene) -> Self {
-        let settings = scene.settings;
-        let (order, accumulation) = (settings.order, settings.accumulation);
-        let counts = ops::counts();
-        let of = |routine: &str, order: usize| {
-            let found = counts
-                .iter()
-                .find(|c| c.routine == routine && c.order == order);
-            found.map_or(0.0, |count| count.mul.max(count.add) as f64)
-        };
-        let coefficients = (order * order) as f64;
-        let lamps = scene.lights.iter().filter(|lamp| lamp.shines()).count() as f64;
-        let lamp = of("cap_visibility", order) + of("zonal", order) + 2.0 * coefficients + 30.0;
-        let light = of("cosine", order) + 6.0 * coefficients + lamps * lamp;
-        let blockers = match plan.has(PassKind::Shadow) {
-            true => cut(scene),
-            false => 0.0,
-        };
-        let blocker = of("accumulate_blocker", accumulation) + 30.0;
-        let exponential = of("transfer", accumulation) + of("accumulated_log", accumulation);
-        Self {
-            open: light,
-            shadow: light + exponential + blockers * blocker,
-            gather: blockers * (of("ball_average", order) + 3.0 * coefficients + 8.0 * HIDER),
-        }
-    }
-
-    fn seconds(&self, pass: &Pass, scene: &Scene, view: &View, rate: f64) -> f64 {
-        let cells = match pass.at {
-            Resolution::Halves => view.halves(),
-            _ => view.samples(),
-        };
-        let cells = f64::from(cells.columns) * f64::from(cells.rows);
-        let points: usize = scene.objects.iter().map(|o| o.surface.points.len()).sum();
-        let points = points as f64;
-        let bounces = scene.settings.indirect.map_or(0, |i| i.bounces);
-        match pass.kind {
-            PassKind::Gbuffer => cells * RAY * 1e-9,
-            PassKind::Irradiance => cells * self.open / rate,
-            PassKind::Shadow => cells * self.shadow / rate,
-            PassKind::LightGather => cells * self.gather / rate,
-            PassKind::LightUpdate => {
-                let more = f64::from(bounces.saturating_sub(1));
-                points * (self.shadow + more * self.gather) / rate
-            }
-            PassKind::Upsample => {
-                let gather = if bounces > 0 { self.gather } else { 0.0 };
-                let anew = ANEW * (self.shadow + gather);
-                cells * (SAMPLE * 1e-9 + (self.open + anew) / rate)
-            }
-            PassKind::Resolve => cells * SAMPLE * 1e-9,
-        }
-    }
+/// Seconds of a pass on one thread that does `rate` multiply-adds a second.
+fn seconds(planned: &Planned, units: &Units, view: &View, spheres: f64, rate: f64) -> f64 {
+    let cells = |grid: Grid| f64::from(grid.columns) * f64::from(grid.rows);
+    let elements = match planned.at {
+        Domain::Scene => 1.0,
+        Domain::Spheres => spheres,
+        Domain::Halves => cells(view.halves()),
+        Domain::Receivers | Domain::Samples | Domain::Pixels => cells(view.samples()),
+        Domain::Rest => ANEW * cells(view.samples()),
+    };
+    let cost = (planned.pass.cost)(units);
+    elements * (cost.nanoseconds * 1e-9 + cost.multiply_adds / rate)
 }
 
 /// The mean size of a cut, at places above some of the spheres.

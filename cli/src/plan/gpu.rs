@@ -5,7 +5,8 @@ use crate::Error;
 use crate::gpu::{Gpu, Stamps};
 use sh_bake::Loaded;
 use sh_gpu::Renderer;
-use sh_scene::{PassKind, Plan, Tracker, View};
+use sh_scene::passes::LIGHT_UPDATE;
+use sh_scene::{Plan, Tracker, View};
 use std::time::Instant;
 
 /// Runs some frames. Times are the device's own; where its clock is none, every part of a frame is submitted by itself
@@ -81,7 +82,7 @@ pub(super) fn measure(
     let changes = tracker.changes().clone();
     let mut all = idle(&loaded.scene, plan, &changes, nodes);
     for (dispatches, pass) in dispatches.iter().zip(&plan.passes) {
-        if pass.kind == PassKind::LightUpdate && *dispatches == 0 {
+        if pass.is(&LIGHT_UPDATE) && *dispatches == 0 {
             let reason =
                 "No body moved and no light changed: spheres send on what they did before.";
             let (name, reason) = ("light_update", reason.into());

@@ -154,7 +154,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 fn idle(scene: &Scene, plan: &Plan, changes: &Changes, nodes: usize) -> Vec<Idle> {
     let mut all = Vec::new();
     let mut add = |name, reason| all.push(Idle { name, reason });
-    let shadows = plan.has(sh_scene::PassKind::Shadow);
+    let shadows = plan.has(&sh_scene::passes::SHADOW);
     let still = scene.objects.len().saturating_sub(changes.objects);
     if shadows && still > 0 {
         let (objects, renewed) = (scene.objects.len(), changes.nodes);

@@ -3,7 +3,7 @@
 use super::Measured;
 use crate::render::Choice;
 use serde::Serialize;
-use sh_scene::{Plan, Resolution, View};
+use sh_scene::{Plan, View};
 use std::fmt;
 
 /// A pass of the plan, why it is there and what it costs.
@@ -97,8 +97,8 @@ impl Report {
             own.map(|buffer| buffer.bytes).sum()
         };
         let passes = plan.passes.iter().enumerate().map(|(i, pass)| Planned {
-            name: pass.kind.name(),
-            at: place(pass.at),
+            name: pass.name(),
+            at: pass.at.name(),
             reason: pass.reason.clone(),
             dispatches: measured.dispatches[i],
             bytes: of_pass(i),
@@ -112,7 +112,7 @@ impl Report {
         });
         let memory = measured.memory.iter().map(|buffer| Memory {
             name: buffer.name,
-            pass: plan.passes[buffer.pass].kind.name(),
+            pass: plan.passes[buffer.pass].name(),
             bytes: buffer.bytes,
         });
         Self {
@@ -144,16 +144,6 @@ impl Report {
     /// Dispatches of all passes together.
     pub fn dispatches(&self) -> u64 {
         self.passes.iter().map(|pass| pass.dispatches).sum()
-    }
-}
-
-fn place(at: Resolution) -> &'static str {
-    match at {
-        Resolution::Samples => "samples",
-        Resolution::Halves => "halves",
-        Resolution::Pixels => "pixels",
-        Resolution::Spheres => "spheres",
-        Resolution::Fixed => "scene",
     }
 }
 

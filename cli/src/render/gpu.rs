@@ -80,7 +80,7 @@ pub fn picture(
     if let Some(stamps) = stamps {
         let stamps = stamps.read(gpu)?;
         for (pass, nanoseconds) in renderer.times(&stamps, gpu.queue.get_timestamp_period()) {
-            times.add(pass.name(), nanoseconds * 1e-9);
+            times.add(pass, nanoseconds * 1e-9);
             rest -= nanoseconds * 1e-9;
         }
     }

@@ -5,7 +5,7 @@ use crate::Error;
 use crate::compare::Seen;
 use egui::{Color32, ColorImage};
 use sh_cpu::{CutOptions, Cuts, Path};
-use sh_scene::{Light, PassKind, Plan, Resolution, Scene, Tiles};
+use sh_scene::{Domain, Light, Plan, Scene, Tiles, passes};
 use std::sync::Arc;
 
 /// A picture to lay over another, and what it means.
@@ -66,7 +66,7 @@ pub(super) fn of_clusters(scene: &Scene, plan: &Plan, wish: &Wish) -> Result<Lay
     } else {
         "Clusters of receivers"
     };
-    if !plan.has(PassKind::Shadow) {
+    if !plan.has(&passes::SHADOW) {
         let notes = vec!["No shadows: no receiver needs a cluster.".into()];
         return Ok(Layer {
             image: Arc::new(ColorImage::filled([1, 1], Color32::TRANSPARENT)),
@@ -78,7 +78,7 @@ pub(super) fn of_clusters(scene: &Scene, plan: &Plan, wish: &Wish) -> Result<Lay
         });
     }
     // The grid of rays that the shadow pass shades: every two by two pixels, or every sample of them.
-    let half = plan.passes.iter().any(|pass| pass.at == Resolution::Halves);
+    let half = plan.runs_over(Domain::Halves);
     let [width, height] = wish.size.map(|side| side.div_ceil(2).max(1));
     let step = if half { 1 } else { 4 };
     let seen = Seen::new(scene, [step * width, step * height])?;

@@ -40,8 +40,7 @@ pub(super) fn trace(
     let [width, height] = wish.size;
     let coarse = width.div_ceil(ACROSS).max(1);
     let seen = Seen::new(scene, [width, height].map(|side| (side / coarse).max(1)))?;
-    let light = scene.light()?;
-    let ours = ours(scene, &light, &seen)?.parts.total();
+    let ours = ours(scene, &seen)?.parts.total();
     let bounces = truth::bounces(&scene.settings);
     let options = paths::Options {
         bounces,

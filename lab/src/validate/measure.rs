@@ -52,7 +52,7 @@ impl Sight {
 
     /// What the passes make of a scene whose surfaces are those of this sight.
     pub fn ours(&self, scene: &Scene) -> Result<Ours, Error> {
-        ours(scene, &scene.light()?, &self.seen)
+        ours(scene, &self.seen)
     }
 
     /// How far parts are from the truth.

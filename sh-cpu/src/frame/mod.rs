@@ -1,30 +1,25 @@
-//! A whole picture: the passes of a plan, band by band.
+//! Frames: the steps of a plan, one after the other.
 
-mod bands;
-mod check;
-mod half;
-mod shading;
+mod store;
+mod twins;
 mod work;
 
 pub use work::Work;
 
-use crate::gbuffer::{Gbuffer, check_view};
+use crate::gbuffer::check_view;
 use crate::geometry::Hierarchy;
 use crate::resolve::check_environment;
-use crate::upsample::{Failed, Halves};
-use crate::{Body, Cuts, Error, Geometry, LightCuts, LightUpdate, Path, SphericalLights};
-use bands::Bands;
-use check::check_plan;
-use half::half;
-use sh_scene::{Buffer, Changes, Forest, PassKind, Plan, Scene, Settings, Tiles, Tracker, View};
-use shading::Shadows;
+use crate::{Cuts, Error, Geometry, LightCuts, SphericalLights};
+use sh_scene::passes::LIGHT_UPDATE;
+use sh_scene::{
+    Buffer, Changes, Domain, Forest, Plan, Receiver, Scene, Settings, Step, Tracker, View,
+};
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
+use store::{Camera, Counts, Sets, Spheres, Store};
+use twins::{band, twin};
 use work::{Ledger, Stages};
-
-/// Rows of tiles a band: 16 rows of pixels. With 1280 columns a band's samples are 6 MB, so that a pass finds in the
-/// cache what the one before it wrote.
-const BAND: u32 = 2;
 
 /// A rendered picture and where its time went.
 #[derive(Clone, Debug)]
@@ -52,6 +47,17 @@ pub struct Frame {
     pub too_small: usize,
     /// Pairs of a cluster and a lamp that is below the horizon of all its receivers.
     pub lamps_below: usize,
+}
+
+/// The light of a caller's receivers.
+#[derive(Clone, Debug, Default)]
+pub struct Lit {
+    /// Radiance that albedo 1 reflects at each receiver, of light that comes directly.
+    pub radiance: Vec<[f32; 3]>,
+    /// The same of light that bodies send on; empty where none does.
+    pub sent: Vec<[f32; 3]>,
+    /// Wall time of each stage, as in [`Frame::stages`].
+    pub stages: Vec<(&'static str, Duration)>,
 }
 
 /// Renders one frame after the other, and keeps what has not changed: the hierarchy of triangles, the tree of blockers,
@@ -129,6 +135,44 @@ impl Frames {
         }
     }
 
+    /// Lights a caller's receivers, by a plan of [`Plan::of_receivers`]: vertices, or whatever else is to be lit. Each of
+    /// `clusters` holds receivers that lie together and side by side; together they are all of them. What is kept from
+    /// frame to frame is as in [`render`](Self::render).
+    ///
+    /// # Errors
+    /// Where the scene, the plan or the clusters are none that receivers can be lit with.
+    pub fn light(
+        &mut self,
+        scene: &Scene,
+        plan: &Plan,
+        receivers: &[Receiver],
+        clusters: &[Range<usize>],
+    ) -> Result<Lit, Error> {
+        let sets = Sets {
+            brought: receivers,
+            brought_clusters: clusters,
+            ..Sets::default()
+        };
+        let lit = self.steps(scene, plan, None, sets, &|_| {});
+        let (done, mut sets) = match lit {
+            Ok((done, store)) => (done, store.1),
+            Err(error) => {
+                *self = Self::default();
+                return Err(error);
+            }
+        };
+        Ok(Lit {
+            radiance: std::mem::take(&mut sets.radiance),
+            sent: std::mem::take(&mut sets.brought_sent),
+            stages: done.stages.0,
+        })
+    }
+
+    /// The tree of blockers of the last frame, and what its spheres sent on: nothing where they did not.
+    pub fn spheres(&self) -> (&Forest, &SphericalLights) {
+        (self.tracker.forest(), &self.lights)
+    }
+
     fn frame(
         &mut self,
         scene: &Scene,
@@ -144,101 +188,19 @@ impl Frames {
         };
         check_view(&view)?;
         check_environment(&scene.environment)?;
-        check_plan(plan)?;
-
-        let mut stages = Stages::default();
-        let mut ledger = Ledger::new(plan);
-        let geometry = stages.time("hierarchy", || {
-            Geometry::reusing(scene, self.hierarchy.as_ref())
-        })?;
-        self.hierarchy = Some(Arc::clone(geometry.hierarchy()));
-        stages.time("light", || self.tracker.relight(scene))?;
-        let blocked = plan.is_blocked();
-        if blocked {
-            stages.time("forest", || self.tracker.place(scene));
-        }
-        if let Some(pass) = position(plan, PassKind::LightUpdate) {
-            self.update(scene, pass, &mut ledger, &mut stages)?;
-        }
-        let Self {
-            tracker,
-            cuts,
-            light_cuts,
-            lights,
-            ..
-        } = self;
-        let none = Forest::default();
-        let Some(light) = tracker.light() else {
-            return Err(Error::Plan { missing: "light" });
-        };
-        let mut shadows = Shadows {
-            forest: if blocked { tracker.forest() } else { &none },
-            cuts,
-            lights: plan.has(PassKind::LightUpdate).then_some(&*lights),
-            light_cuts,
-            light,
-            settings: scene.settings,
-            pairs: 0,
-            shadowed: 0,
-            too_small: 0,
-            lamps_below: 0,
-        };
-        let halves = match plan.has(PassKind::Upsample) {
-            true => half(
-                &geometry,
-                &view,
-                plan,
-                &mut shadows,
-                &mut ledger,
-                &mut stages,
-            )?,
-            false => Halves::default(),
-        };
-
-        let mut pixels = vec![[0.0; 3]; width as usize * height as usize];
-        let mut bands = Bands {
-            view: &view,
-            plan,
-            geometry: &geometry,
-            halves: &halves,
-            samples: Gbuffer::default(),
-            radiance: Vec::new(),
-            failed: Failed::default(),
-            anew: Vec::new(),
-        };
-        let tile_rows = view.samples().tiles().rows;
-        let pixel_rows = BAND * Tiles::SIDE / View::OVERSAMPLE;
-        let parts = pixels.chunks_mut((pixel_rows * width) as usize);
-        for (band, pixels) in parts.enumerate() {
-            let first = band as u32 * BAND;
-            let rows = first..(first + BAND).min(tile_rows);
-            bands.render(rows.clone(), pixels, &mut shadows, &mut ledger, &mut stages)?;
-            progress(rows.end as f32 / tile_rows as f32);
-        }
-        let Shadows {
+        let (done, (camera, _)) = self.steps(scene, plan, Some(view), Sets::default(), progress)?;
+        let (work, buffers) = done.ledger.finish();
+        let Counts {
             pairs,
             shadowed,
             too_small,
             lamps_below,
-            ..
-        } = shadows;
-        bands.hold(&mut ledger);
-        let shaded = |pass: &sh_scene::Pass| pass.kind == PassKind::Shadow;
-        let shaded = plan.passes.iter().position(shaded);
-        if let Some(pass) = shaded {
-            let nodes = size_of_val(self.tracker.forest().nodes());
-            ledger.holds(pass, "tree of blockers", nodes);
-            ledger.holds(pass, "cuts", self.cuts.bytes());
-        }
-        if let Some(pass) = position(plan, PassKind::Resolve) {
-            ledger.holds(pass, "picture", size_of_val(&pixels[..]));
-        }
-        let (work, buffers) = ledger.finish();
+        } = done.counts;
         Ok(Frame {
             width,
             height,
-            pixels,
-            stages: stages.0,
+            pixels: camera.map(|camera| camera.pixels).unwrap_or_default(),
+            stages: done.stages.0,
             work,
             buffers,
             changes: self.tracker.changes().clone(),
@@ -249,51 +211,85 @@ impl Frames {
         })
     }
 
-    /// Lights the bodies' spheres, unless they are lit as they would be.
-    fn update(
+    /// Makes what is given before the first pass, and works off the steps of a plan.
+    fn steps<'a>(
         &mut self,
-        scene: &Scene,
-        pass: usize,
-        ledger: &mut Ledger,
-        stages: &mut Stages,
-    ) -> Result<(), Error> {
-        let (tracker, lights) = (&mut self.tracker, &mut self.lights);
-        let surfaces = tracker.resurface(scene);
-        let same = tracker.changes().none() && !surfaces && self.lit == Some(scene.settings);
-        let Some(light) = tracker.light().filter(|_| !same) else {
-            ledger.holds(pass, "what spheres send on", lights.bytes());
-            return Ok(());
+        scene: &'a Scene,
+        plan: &Plan,
+        view: Option<View>,
+        sets: Sets<'a>,
+        progress: &(dyn Fn(f32) + Sync),
+    ) -> Result<(Done, (Option<Camera<'a>>, Sets<'a>)), Error> {
+        plan.check()?;
+        let mut stages = Stages::default();
+        let mut ledger = Ledger::new(plan);
+        let camera = match view {
+            Some(view) => {
+                let geometry = stages.time("hierarchy", || {
+                    Geometry::reusing(scene, self.hierarchy.as_ref())
+                })?;
+                self.hierarchy = Some(Arc::clone(geometry.hierarchy()));
+                Some(Camera {
+                    view,
+                    geometry,
+                    pixels: vec![[0.0; 3]; view.width as usize * view.height as usize],
+                })
+            }
+            None => None,
         };
-        let Settings {
-            limits,
-            accumulation,
-            indirect,
-            ..
-        } = scene.settings;
-        let update = LightUpdate {
-            indirect: indirect.unwrap_or_default(),
-            limits,
-            accumulation,
+        let light = stages.time("light", || self.tracker.relight(scene).cloned())?;
+        if plan.is_blocked() {
+            stages.time("forest", || self.tracker.place(scene));
+        }
+        let sends = plan.has(&LIGHT_UPDATE);
+        let surfaces = sends && self.tracker.resurface(scene);
+        let same = self.tracker.changes().none() && !surfaces;
+        let relit = !same || self.lit != Some(scene.settings);
+        let mut store = Store {
+            scene,
+            spheres: Spheres {
+                forest: self.tracker.forest(),
+                light: &light,
+                settings: scene.settings,
+                cuts: &mut self.cuts,
+                lights: &mut self.lights,
+                light_cuts: &mut self.light_cuts,
+                counts: Counts::default(),
+            },
+            sets,
+            camera,
+            relit,
         };
-        self.lit = None;
-        let bodies = scene.objects.iter().map(Body::from);
-        let forest = tracker.forest();
-        ledger.pass(pass, |tasks| {
-            *tasks = u64::from(update.indirect.bounces) * forest.spheres() as u64;
-            stages.time("light_update", || {
-                lights.update(Path::best(), bodies, forest, light, update)
-            })
-        })?;
-        self.lit = Some(scene.settings);
-        ledger.holds(pass, "what spheres send on", lights.bytes());
-        Ok(())
+        let bands = store.camera.as_ref().map_or(0, Camera::bands);
+        for Step { pass, part } in plan.steps(1, bands) {
+            let planned = &plan.passes[pass];
+            let run = twin(planned.pass)?.run;
+            ledger.pass(pass, |tasks| {
+                run(&mut store, planned.at, band(part), &mut stages).map(|count| *tasks = count)
+            })?;
+            if planned.at == Domain::Pixels {
+                progress((band(part) + 1) as f32 / bands as f32);
+            }
+        }
+        for (pass, planned) in plan.passes.iter().enumerate() {
+            for (name, bytes) in (twin(planned.pass)?.memory)(&mut store, planned.at) {
+                ledger.holds(pass, name, bytes);
+            }
+        }
+        let (counts, camera, sets) = (store.spheres.counts, store.camera, store.sets);
+        self.lit = sends.then_some(scene.settings);
+        let done = Done {
+            stages,
+            ledger,
+            counts,
+        };
+        Ok((done, (camera, sets)))
     }
 }
 
-fn position(plan: &Plan, kind: PassKind) -> Option<usize> {
-    plan.passes.iter().position(|pass| pass.kind == kind)
-}
-
-fn bytes<T>(all: &[T]) -> usize {
-    size_of_val(all)
+/// What the steps of a frame were.
+struct Done {
+    stages: Stages,
+    ledger: Ledger,
+    counts: Counts,
 }

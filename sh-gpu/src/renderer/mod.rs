@@ -3,11 +3,12 @@
 mod told;
 
 use crate::buffers::Buffers;
-use crate::stages::{Setup, Stage, Work, is_half, sends, shadow_pass};
-use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, Shading, ShadowPass, Shining};
-use sh_scene::{EnvironmentMap, Forest, Light, PassKind, Plan, Scene, View};
+use crate::stages::{Recording, Setup, Stage, Work, sends, shadow_pass};
+use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, ShadowPass, Shining, UpsamplePass};
+use sh_scene::{Domain, EnvironmentMap, Forest, Light, Part, Plan, Scene, Step, View};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use wgpu::{Buffer, CommandEncoder, ComputePassTimestampWrites, Device, QuerySet, Queue};
+use wgpu::{Buffer, CommandEncoder, Device, QuerySet, Queue};
 
 /// Renders a scene into a buffer of pixels.
 ///
@@ -39,10 +40,14 @@ pub struct Renderer {
     bands: Bands,
     halves: Option<Bands>,
     bodies: Bodies,
-    /// One for all passes that shade.
-    shadow: Option<ShadowPass>,
-    gather: Option<LightGatherPass>,
+    /// One for all stages that need it, and so are the others.
+    shadow: Option<Arc<ShadowPass>>,
+    gather: Option<Arc<LightGatherPass>>,
+    upsample: Option<Arc<UpsamplePass>>,
     stages: Vec<Stage>,
+    /// The plan: what is recorded, in order.
+    steps: Vec<Step>,
+    plan: Plan,
     picture: Buffer,
     /// What the passes hand each other, by name, in bytes.
     shared: Vec<(&'static str, u64)>,
@@ -51,17 +56,6 @@ pub struct Renderer {
     drawn: usize,
     /// Whether what spheres send on has been recorded as it is now.
     sent: AtomicBool,
-}
-
-/// What is recorded of a stage at once.
-#[derive(Clone, Copy)]
-enum Step {
-    /// All of it, before all bands.
-    Once,
-    /// One of its bands.
-    Band(u32),
-    /// The shares of one band at half resolution, before the first band of samples.
-    Shares(u32),
 }
 
 impl Renderer {
@@ -102,20 +96,29 @@ impl Renderer {
     ) -> Result<Self, Error> {
         let device = pipelines.device();
         let bands = |grid| Bands::new(device, view, grid, max_samples);
-        let halves = match plan.passes.iter().any(is_half) {
+        plan.check()?;
+        let halves = match plan.runs_over(Domain::Halves) {
             true => Some(bands(view.halves())?),
             false => None,
         };
         let bands = bands(view.samples())?;
-        let shadow = shadow_pass(pipelines, scene, plan)?;
+        let shadow = shadow_pass(pipelines, scene, plan)?.map(Arc::new);
+        let sends = sends(plan);
         let gather = match &shadow {
-            Some(shadow) if sends(plan) => {
+            Some(shadow) if sends => {
                 let blocking = scene.settings.indirect.unwrap_or_default().blocking;
-                Some(LightGatherPass::new(device, shadow, blocking)?)
+                Some(Arc::new(LightGatherPass::new(device, shadow, blocking)?))
             }
             _ => None,
         };
-        let buffers = Buffers::new(device, &bands, halves.as_ref(), gather.is_some())?;
+        let upsample = match &shadow {
+            Some(shadow) if halves.is_some() => {
+                let pass = UpsamplePass::new(device, queue, &bands, shadow, sends)?;
+                Some(Arc::new(pass))
+            }
+            _ => None,
+        };
+        let buffers = Buffers::new(device, &bands, halves.as_ref(), sends)?;
         let setup = Setup {
             device,
             pipelines,
@@ -125,12 +128,15 @@ impl Renderer {
             halves: halves.as_ref(),
             shadow: shadow.as_ref(),
             gather: gather.as_ref(),
+            upsample: upsample.as_ref(),
             buffers: &buffers,
         };
-        let stages = plan.passes.iter().map(|pass| setup.stage(pass));
+        let stages = plan.passes.iter().map(|planned| setup.stage(planned));
         let bodies = Bodies::new(device, queue, scene)?;
         Ok(Self {
             stages: stages.collect::<Result<_, _>>()?,
+            steps: plan.steps(halves.as_ref().map_or(0, Bands::count), bands.count()),
+            plan: plan.clone(),
             pipelines: pipelines.clone(),
             drawn: bodies.drawn() + usize::from(scene.ground.is_some()),
             sent: AtomicBool::new(false),
@@ -141,6 +147,7 @@ impl Renderer {
             halves,
             shadow,
             gather,
+            upsample,
         })
     }
 
@@ -177,7 +184,7 @@ impl Renderer {
         for stage in &self.stages {
             match &stage.work {
                 Work::Irradiance { pass, .. } => pass.prepare(queue, light)?,
-                Work::LightUpdate { pass } => {
+                Work::LightUpdate { pass, .. } => {
                     pass.prepare(queue, scene.objects.iter().map(Shining::from), blockers)?;
                 }
                 _ => {}
@@ -194,7 +201,7 @@ impl Renderer {
     pub fn update_meshes(&self, queue: &Queue, scene: &Scene) -> Result<(), Error> {
         self.bodies.update_meshes(queue, scene)?;
         for stage in &self.stages {
-            if let Work::LightUpdate { pass } = &stage.work {
+            if let Work::LightUpdate { pass, .. } = &stage.work {
                 let before = pass.uploaded();
                 pass.update_surfaces(queue, scene.objects.iter().map(Shining::from))?;
                 if pass.uploaded() != before {
@@ -223,113 +230,51 @@ impl Renderer {
     /// or more, every pass of every band writes when it began and ended.
     pub fn record(&self, encoder: &mut CommandEncoder, queries: Option<&QuerySet>) {
         encoder.push_debug_group("gaunt frame");
-        for (first, (stage, step)) in (0..).step_by(2).zip(self.steps()) {
+        for (first, step) in (0..).step_by(2).zip(&self.steps) {
             let stamps = queries.map(|set| (set, [first, first + 1]));
-            self.record_step(encoder, stage, step, stamps);
+            self.record_step(encoder, *step, stamps);
         }
         encoder.pop_debug_group();
     }
 
     /// How many parts [`record_part`](Self::record_part) has.
     pub fn parts(&self) -> usize {
-        self.steps().count()
+        self.steps.len()
     }
 
     /// Records one part of a frame: for a host that times them by itself, because its device has no clock. All of them
     /// in order are what [`record`](Self::record) records. Tells which pass of the plan it is a part of; none where there
     /// is no such part.
     pub fn record_part(&self, encoder: &mut CommandEncoder, part: usize) -> Option<usize> {
-        let (stage, step) = self.steps().nth(part)?;
-        self.record_step(encoder, stage, step, None);
-        self.stages
-            .iter()
-            .position(|other| std::ptr::eq(other, stage))
-    }
-
-    /// All there is to record, in order.
-    fn steps(&self) -> impl Iterator<Item = (&Stage, Step)> {
-        let half_bands = self.halves.as_ref().map_or(0, Bands::count);
-        let once = |stage: &&Stage| stage.kind == PassKind::LightUpdate;
-        let updates = self.stages.iter().filter(once);
-        let updates = updates.map(|stage| (stage, Step::Once));
-        let stages = move |half: bool| {
-            let all = self.stages.iter().filter(move |stage| !once(stage));
-            all.filter(move |stage| stage.half == half)
-        };
-        let upsampled = move || stages(false).filter(|stage| stage.kind == PassKind::Upsample);
-        let halves = (0..half_bands)
-            .flat_map(move |band| stages(true).map(move |stage| (stage, Step::Band(band))));
-        let shares = (0..half_bands)
-            .flat_map(move |band| upsampled().map(move |stage| (stage, Step::Shares(band))));
-        let samples = (0..self.bands.count())
-            .flat_map(move |band| stages(false).map(move |stage| (stage, Step::Band(band))));
-        updates.chain(halves).chain(shares).chain(samples)
+        let step = self.steps.get(part)?;
+        self.record_step(encoder, *step, None);
+        Some(step.pass)
     }
 
     fn record_step(
         &self,
         encoder: &mut CommandEncoder,
-        stage: &Stage,
-        step: Step,
+        Step { pass, part }: Step,
         stamps: Option<(&QuerySet, [u32; 2])>,
     ) {
-        let writes = stamps.map(|(query_set, [begin, end])| ComputePassTimestampWrites {
-            query_set,
-            beginning_of_pass_write_index: Some(begin),
-            end_of_pass_write_index: Some(end),
-        });
-        let band = match (step, &stage.work) {
-            (Step::Band(band), _) => band,
-            (Step::Shares(band), Work::Upsample { pass, shares, .. }) => {
-                return pass.record_shares(encoder, &shares[band as usize], writes);
-            }
-            (Step::Once, Work::LightUpdate { pass }) => {
-                if self.sent.swap(true, Ordering::Relaxed) {
-                    // Nothing has changed. Timestamps are written all the same: whoever reads them waits for them.
-                    if writes.is_some() {
-                        encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
-                            label: Some("gaunt light_update, unchanged"),
-                            timestamp_writes: writes,
-                        });
-                    }
-                } else if let (Some(shadow), Some(gather)) = (&self.shadow, &self.gather) {
-                    pass.record(encoder, shadow, gather, writes);
-                }
-                return;
-            }
-            (Step::Shares(_) | Step::Once, _) => return,
-        };
-        let at = band as usize;
-        let bands = match &self.halves {
-            Some(halves) if stage.half => halves,
+        let stage = &self.stages[pass];
+        let bands = match (&self.halves, stage.at) {
+            (Some(halves), Domain::Halves) => halves,
             _ => &self.bands,
         };
-        match (&stage.work, &self.shadow) {
-            (Work::Gbuffer { pass, bound }, _) => {
-                pass.record(encoder, bands, band, &self.bodies, &bound[at], stamps);
-            }
-            (Work::Irradiance { pass, bound }, _) => pass.record(encoder, &bound[at], writes),
-            (Work::Shadow { bound }, Some(shadow)) => shadow.record(encoder, &bound[at], writes),
-            (Work::LightGather { bound, cleared }, _) => {
-                if let (0, Some(cleared)) = (band, cleared) {
-                    encoder.clear_buffer(cleared, 0, None);
-                }
-                if let Some(gather) = &self.gather {
-                    gather.record(encoder, &bound[at], writes);
-                }
-            }
-            (Work::Upsample { pass, bound, .. }, Some(shadow)) => {
-                let gather = self.gather.as_ref();
-                let shading = Shading { shadow, gather };
-                pass.record(encoder, bands, band, shading, &bound[at], writes);
-            }
-            (Work::Resolve { pass, bound }, _) => {
-                pass.record(encoder, bands, band, &bound[at], writes);
-            }
-            // Neither is made without a shadow pass.
-            (Work::Shadow { .. } | Work::Upsample { .. }, None) => {}
-            // Recorded once.
-            (Work::LightUpdate { .. }, _) => {}
+        let recording = Recording {
+            bands,
+            band: match part {
+                Part::Whole => 0,
+                Part::Band(band) => band,
+            },
+            bodies: &self.bodies,
+            sent: self.sent.load(Ordering::Relaxed),
+            stamps,
+        };
+        stage.record(encoder, recording);
+        if let Work::LightUpdate { .. } = stage.work {
+            self.sent.store(true, Ordering::Relaxed);
         }
     }
 

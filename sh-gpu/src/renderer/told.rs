@@ -1,16 +1,18 @@
 //! What a renderer tells of itself: memory, pipelines, dispatches, uploads and times.
 
 use super::Renderer;
-use crate::stages::Stage;
-use crate::{Bands, LightGatherPass, Pipelines, ShadowPass};
-use sh_scene::PassKind;
+use crate::stages::{Stage, Work};
+use crate::{Bands, Pipelines};
+use sh_scene::passes::{LIGHT_GATHER, SHADOW, UPSAMPLE};
+use sh_scene::resource::{ALBEDO, PICTURE, RADIANCE, RECEIVERS, SENT};
+use sh_scene::{Domain, Pass};
 use std::sync::atomic::Ordering;
 
 impl Renderer {
     /// What light that is sent on depends on, in bytes that have been uploaded.
     pub(super) fn lights_uploaded(&self) -> u64 {
-        let shadow = self.shadow.as_ref().map_or(0, ShadowPass::uploaded);
-        let gather = self.gather.as_ref().map_or(0, LightGatherPass::uploaded);
+        let shadow = self.shadow.as_ref().map_or(0, |pass| pass.uploaded());
+        let gather = self.gather.as_ref().map_or(0, |pass| pass.uploaded());
         shadow + gather + self.stages.iter().map(Stage::uploaded).sum::<u64>()
     }
 
@@ -24,24 +26,8 @@ impl Renderer {
 
     /// Bytes of GPU memory: what the passes hand each other buffer by buffer, then what each part owns.
     pub fn bytes(&self) -> Vec<(&'static str, u64)> {
-        let mut all = self.shared_parts();
-        all.extend(self.stages.iter().filter_map(Stage::bytes));
-        all
-    }
-
-    /// Bytes of what belongs to no stage alone.
-    fn shared_parts(&self) -> Vec<(&'static str, u64)> {
-        let mut all = self.shared.clone();
-        all.push(("bodies", self.bodies.bytes()));
-        let halves = self.halves.as_ref().map_or(0, Bands::bytes);
-        all.push(("bands", self.bands.bytes() + halves));
-        all.extend(self.shadow.as_ref().map(|pass| ("shadow", pass.bytes())));
-        all.extend(
-            self.gather
-                .as_ref()
-                .map(|pass| ("light_gather", pass.bytes())),
-        );
-        all
+        let buffers = self.buffers().into_iter();
+        buffers.map(|buffer| (buffer.name, buffer.bytes)).collect()
     }
 
     /// The pipelines that it is made of.
@@ -50,71 +36,78 @@ impl Renderer {
     }
 
     /// How many dispatches and draws [`record`](Self::record) would record now for each pass of the plan, in its order:
-    /// none for [`PassKind::LightUpdate`] where nothing has changed since it was recorded.
+    /// none for `light_update` where nothing has changed since it was recorded.
     pub fn dispatches(&self) -> Vec<usize> {
         let sent = self.sent.load(Ordering::Relaxed);
-        let of = |stage: &Stage| match stage.kind == PassKind::LightUpdate && sent {
-            true => 0,
-            false => stage.dispatches(self.drawn),
+        let of = |stage: &Stage| match stage.work {
+            Work::LightUpdate { .. } if sent => 0,
+            _ => stage.dispatches(self.drawn),
         };
         self.stages.iter().map(of).collect()
     }
 
     /// All memory, each part with the pass of the plan that owns or first writes it.
     pub fn buffers(&self) -> Vec<sh_scene::Buffer> {
-        let of = |kind, half| {
-            let own = |stage: &Stage| stage.kind == kind && stage.half == half;
-            self.stages.iter().position(own)
-        };
-        let first =
-            |kinds: &[(PassKind, bool)]| kinds.iter().find_map(|&(kind, half)| of(kind, half));
-        let (shadow, gather) = (PassKind::Shadow, PassKind::LightGather);
-        let shading = [
-            (shadow, true),
-            (shadow, false),
-            (PassKind::Irradiance, false),
+        let seen = self.plan.maker(RECEIVERS, Domain::Samples);
+        let first = |pass: &Pass| self.plan.passes.iter().position(|p| p.is(pass));
+        let shared = self.shared.iter().map(|&(name, bytes)| {
+            let (resource, domain) = match name {
+                "receivers" => (RECEIVERS, Domain::Samples),
+                "albedo" => (ALBEDO, Domain::Samples),
+                "radiance" => (RADIANCE, Domain::Samples),
+                "half_receivers" => (RECEIVERS, Domain::Halves),
+                "half_radiance" => (RADIANCE, Domain::Halves),
+                "half_sent" => (SENT, Domain::Halves),
+                _ => (PICTURE, Domain::Pixels),
+            };
+            (name, self.plan.maker(resource, domain), bytes)
+        });
+        let halves = self.halves.as_ref().map_or(0, Bands::bytes);
+        let own = [
+            ("bodies", seen, Some(self.bodies.bytes())),
+            ("bands", seen, Some(self.bands.bytes() + halves)),
+            (
+                "shadow",
+                first(&SHADOW),
+                self.shadow.as_ref().map(|pass| pass.bytes()),
+            ),
+            (
+                "light_gather",
+                first(&LIGHT_GATHER),
+                self.gather.as_ref().map(|pass| pass.bytes()),
+            ),
+            (
+                "upsample",
+                first(&UPSAMPLE),
+                self.upsample.as_ref().map(|pass| pass.bytes()),
+            ),
         ];
-        let parts = self.shared_parts();
-        let mut all: Vec<_> = parts
-            .into_iter()
-            .map(|(name, bytes)| {
-                let pass = match name {
-                    "half_receivers" => of(PassKind::Gbuffer, true),
-                    "half_radiance" => of(shadow, true),
-                    "half_sent" => of(gather, true),
-                    "radiance" => of(PassKind::Upsample, false).or(first(&shading[1..])),
-                    "shadow" => first(&shading),
-                    "light_gather" => first(&[(gather, true), (gather, false)]),
-                    "picture" => of(PassKind::Resolve, false),
-                    _ => of(PassKind::Gbuffer, false),
-                };
-                (name, pass.unwrap_or(0), bytes)
-            })
-            .collect();
-        let own = self.stages.iter().enumerate();
-        all.extend(own.filter_map(|(pass, stage)| {
-            let (name, bytes) = stage.bytes()?;
-            Some((name, pass, bytes))
-        }));
-        let buffer = |(name, pass, bytes)| sh_scene::Buffer { name, pass, bytes };
-        all.into_iter().map(buffer).collect()
+        let own = own.into_iter();
+        let own = own.filter_map(|(name, pass, bytes)| Some((name, pass, bytes?)));
+        let stages = self.stages.iter().enumerate();
+        let stages = stages
+            .filter_map(|(index, stage)| Some((stage.pass.name, Some(index), stage.bytes()?)));
+        let all = shared.chain(own).chain(stages);
+        all.map(|(name, pass, bytes)| sh_scene::Buffer {
+            name,
+            pass: pass.unwrap_or(0),
+            bytes,
+        })
+        .collect()
     }
 
     /// How many timestamps a frame writes.
     pub fn timestamps(&self) -> u32 {
-        2 * self.steps().count() as u32
+        2 * self.steps.len() as u32
     }
 
     /// The time each pass of the plan took, over all bands, in nanoseconds, from a frame's timestamps and
     /// `Queue::get_timestamp_period`.
-    pub fn times(&self, timestamps: &[u64], period: f32) -> Vec<(PassKind, f64)> {
-        let mut times: Vec<_> = self.stages.iter().map(|stage| (stage.kind, 0.0)).collect();
-        for ((stage, _), [begin, end]) in self.steps().zip(timestamps.as_chunks().0) {
-            let spent = end.saturating_sub(*begin) as f64 * f64::from(period);
-            let same = |other: &Stage| std::ptr::eq(other, stage);
-            if let Some(index) = self.stages.iter().position(same) {
-                times[index].1 += spent;
-            }
+    pub fn times(&self, timestamps: &[u64], period: f32) -> Vec<(&'static str, f64)> {
+        let passes = self.stages.iter();
+        let mut times: Vec<_> = passes.map(|stage| (stage.pass.name, 0.0)).collect();
+        for (step, [begin, end]) in self.steps.iter().zip(timestamps.as_chunks().0) {
+            times[step.pass].1 += end.saturating_sub(*begin) as f64 * f64::from(period);
         }
         times
     }

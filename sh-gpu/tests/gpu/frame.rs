@@ -211,10 +211,13 @@ pub fn timestamps_tell_every_pass(gpu: &Gpu) {
         encoder.resolve_query_set(&queries, 0..renderer.timestamps(), &resolved, 0);
     });
     let times = renderer.times(&gpu.read(&resolved), gpu.queue.get_timestamp_period());
-    let kinds: Vec<_> = times.iter().map(|(kind, _)| *kind).collect();
+    let kinds: Vec<_> = times.iter().map(|(pass, _)| *pass).collect();
     assert_eq!(
         kinds,
-        plan.passes.iter().map(|pass| pass.kind).collect::<Vec<_>>()
+        plan.passes
+            .iter()
+            .map(|pass| pass.name())
+            .collect::<Vec<_>>()
     );
     assert!(
         times.iter().all(|(_, time)| *time > 0.0 && *time < 1e10),

@@ -8,7 +8,7 @@ use sh_gpu::{
     Renderer, ResolvePass, ShadowOptions, ShadowPass, Shining,
 };
 use sh_scene::surface::SurfacePoint;
-use sh_scene::{Blocking, EnvironmentMap, Forest, Limits, Plan, Receiver, Resolution, Scene, View};
+use sh_scene::{Blocking, Domain, EnvironmentMap, Forest, Limits, Plan, Receiver, Scene, View};
 use wgpu::{BufferBinding, BufferSize, BufferUsages};
 
 fn part(buffer: &wgpu::Buffer, offset: u64, size: u64) -> BufferBinding<'_> {
@@ -248,10 +248,10 @@ pub fn what_does_not_fit_is_an_error(gpu: &Gpu) {
         "2 by 2 texels brings 3",
     );
     let mut plan = Plan::new(&ball_and_quad());
-    plan.passes.retain(|pass| pass.at != Resolution::Halves);
+    plan.passes.retain(|pass| pass.at != Domain::Halves);
     says(
         Renderer::new(device, &gpu.queue, &ball_and_quad(), &plan, &small),
-        "nothing in it works at half resolution",
+        "the plan has no gbuffer pass, which would give upsample its receivers",
     );
     let map = EnvironmentMap {
         width: 9000,

@@ -214,7 +214,7 @@ pub fn upsampled_light_is_that_of_the_cpu(gpu: &Gpu) {
         ..ShadowOptions::default()
     };
     let shadow = ShadowPass::with(&gpu.pipelines, options).unwrap();
-    let pass = UpsamplePass::new(&gpu.device, &gpu.queue, &bands, &shadow).unwrap();
+    let pass = UpsamplePass::new(&gpu.device, &gpu.queue, &bands, &shadow, false).unwrap();
     let wide = |light: &[[f32; 3]]| -> Vec<[f32; 4]> {
         light.iter().map(|&[r, g, b]| [r, g, b, 0.0]).collect()
     };
@@ -230,18 +230,23 @@ pub fn upsampled_light_is_that_of_the_cpu(gpu: &Gpu) {
     let bound = pass
         .bind(
             &gpu.device,
-            &shadow,
             binding(),
             input.as_entire_buffer_binding(),
             output.as_entire_buffer_binding(),
         )
+        .unwrap();
+    let rest = pass.rest(&bands, 0);
+    let again = shadow
+        .bind_clusters(&gpu.device, rest.receivers, rest.clusters, rest.radiance)
         .unwrap();
     bands.prepare(&gpu.queue, &view, scene.ground).unwrap();
     let limits = scene.settings.limits;
     shadow.prepare(&gpu.queue, &forest, limits, &light).unwrap();
     gpu.submit(|encoder| {
         pass.record_shares(encoder, &to_shares, None);
-        pass.record(encoder, &bands, 0, &shadow, &bound, None);
+        pass.record(encoder, &bands, 0, &bound, None);
+        shadow.record(encoder, &again, None);
+        pass.record_scatter(encoder, &bands, 0, &bound, None);
     });
     let found: Vec<[f32; 4]> = gpu.read(&output);
     let (count, most) = compare(&found, &expected);

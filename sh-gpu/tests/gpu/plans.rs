@@ -4,7 +4,8 @@
 use crate::gpu::Gpu;
 use crate::scenes::{Numbers, bouncing, lamps, standing_quad, view};
 use sh_gpu::{Bands, Pipelines, Renderer};
-use sh_scene::{Buffer, Indirect, PassKind, Plan, Scene, Shader};
+use sh_scene::passes::LIGHT_UPDATE;
+use sh_scene::{Buffer, Indirect, Plan, Scene, Shader};
 use std::collections::HashSet;
 
 /// What is made for a scene: modules, pipelines, memory.
@@ -114,10 +115,7 @@ pub fn a_frame_uploads_what_has_changed(gpu: &Gpu) {
     let view = view(&scene, 40, 30);
     let plan = Plan::new(&scene);
     let kept = Renderer::new(&gpu.device, &gpu.queue, &scene, &plan, &view).unwrap();
-    let update = plan
-        .passes
-        .iter()
-        .position(|pass| pass.kind == PassKind::LightUpdate);
+    let update = plan.passes.iter().position(|pass| pass.is(&LIGHT_UPDATE));
     let update = update.expect("bodies light each other");
     let mut forest = scene.forest();
     let mut light = Numbers(4).light(4).with_lights(&scene.lights).unwrap();

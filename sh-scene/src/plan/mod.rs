@@ -1,100 +1,59 @@
 //! The plan of a frame: the passes a scene calls for, why, what they read and write, and what is left out.
 //!
-//! A pass that is not in the plan costs nothing: no dispatch, no memory, no shader. A backend looks
-//! through the list and does what it names, in order. New passes enter as one more [`PassKind`] and, where
-//! they make something new (a light view, an array of depths, a picture at half resolution), one more
-//! [`Resource`] with its [`Resolution`]; what is here stays as it is.
+//! A pass is a declaration ([`Pass`], one a file in `plan/passes`): what it reads and writes, where it runs, which facts of
+//! a scene want it, the pipelines it needs, what it costs. [`PASSES`] lists them, and nothing else does. All that is asked
+//! of a plan follows from that: the order of passes and what is missing ([`Plan::check`]), the steps that a backend works
+//! off one after the other ([`Plan::steps`]), shaders, estimates, and what is left out and why. A pass that is not in the
+//! plan costs nothing: no dispatch, no memory, no shader.
 //!
 //! The plan is a function of the scene and its settings alone, so that an effect that is added and taken away again
 //! leaves no trace. What needs no work in a frame because nothing has changed is told by [`crate::Tracker`].
 
-mod reasons;
-mod resources;
+mod check;
+mod facts;
+mod order;
+mod pass;
+pub mod passes;
+pub mod resource;
+mod schedule;
 mod shaders;
 
-pub use resources::{Buffer, Resolution, Resource};
+pub use check::PlanError;
+pub use facts::Facts;
+pub use pass::{Access, Cost, Entry, Orders, Pass, Run, Slot, Units};
+pub use passes::PASSES;
+pub use resource::{Buffer, Domain, Resource};
+pub use schedule::{Part, Step};
 pub use shaders::Shader;
 
 use crate::Scene;
-use reasons::Called;
 use std::fmt;
 
-/// The passes there are. Each is one file of this name in `kernels`, `sh-cpu` and `sh-gpu`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum PassKind {
-    /// Position, normal and albedo per sample.
-    Gbuffer,
-    /// Light without blockers.
-    Irradiance,
-    /// Light through the visibility of all blocker spheres.
-    Shadow,
-    /// What the spheres of bodies send on of the light that falls on the surface around them, bounce by bounce.
-    LightUpdate,
-    /// The light that spheres have sent on, added to radiance.
-    LightGather,
-    /// Radiance at half resolution to samples, by a joint bilateral filter; what that cannot give is shaded anew.
-    Upsample,
-    /// Samples to pixels: radiance times albedo, the environment where nothing is hit.
-    Resolve,
-}
-
-impl PassKind {
-    /// The name that files, tables and messages use.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Gbuffer => "gbuffer",
-            Self::Irradiance => "irradiance",
-            Self::Shadow => "shadow",
-            Self::LightUpdate => "light_update",
-            Self::LightGather => "light_gather",
-            Self::Upsample => "upsample",
-            Self::Resolve => "resolve",
-        }
-    }
-}
-
-/// One pass and why this scene needs it.
+/// One pass of a plan, where it runs and why this scene needs it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pass {
+pub struct Planned {
     /// Which.
-    pub kind: PassKind,
-    /// How many elements it computes.
-    pub at: Resolution,
+    pub pass: &'static Pass,
+    /// What it runs over.
+    pub at: Domain,
     /// Why it is in the plan, for a person: a sentence.
     pub reason: String,
 }
 
-impl Pass {
-    /// What the pass reads.
-    pub fn reads(&self) -> &'static [Resource] {
-        use Resource::*;
-        let half = self.at == Resolution::Halves;
-        match self.kind {
-            PassKind::Gbuffer => &[Surfaces],
-            PassKind::Irradiance => &[Receivers, Light],
-            PassKind::Shadow if half => &[HalfReceivers, Blockers, Light],
-            PassKind::Shadow => &[Receivers, Blockers, Light],
-            PassKind::LightUpdate => &[SurfacePoints, Blockers, Light],
-            PassKind::LightGather if half => &[HalfReceivers, HalfRadiance, Blockers, Emission],
-            PassKind::LightGather => &[Receivers, Radiance, Blockers, Emission],
-            PassKind::Upsample => &[HalfReceivers, HalfRadiance, Receivers, Blockers, Light],
-            PassKind::Resolve => &[Receivers, Albedo, Radiance, Environment],
-        }
+impl Planned {
+    /// Its name.
+    pub fn name(&self) -> &'static str {
+        self.pass.name
     }
 
-    /// What the pass writes.
-    pub fn writes(&self) -> &'static [Resource] {
-        use Resource::*;
-        let half = self.at == Resolution::Halves;
-        match self.kind {
-            PassKind::Gbuffer if half => &[HalfReceivers],
-            PassKind::Gbuffer => &[Receivers, Albedo],
-            PassKind::Shadow | PassKind::LightGather if half => &[HalfRadiance],
-            PassKind::LightUpdate => &[Emission],
-            PassKind::LightGather => &[Radiance],
-            PassKind::Irradiance | PassKind::Shadow | PassKind::Upsample => &[Radiance],
-            PassKind::Resolve => &[Picture],
-        }
+    /// What it is bound to.
+    pub fn slots(&self) -> Vec<Slot> {
+        (self.pass.slots)(self.at)
+    }
+
+    /// Whether it is this pass.
+    pub fn is(&self, pass: &Pass) -> bool {
+        self.pass == pass
     }
 }
 
@@ -114,7 +73,7 @@ pub struct LeftOut {
 /// # fn plan_of(scene: &Scene) {
 /// let plan = Plan::new(scene);
 /// for pass in &plan.passes {
-///     println!("{}: {}", pass.kind.name(), pass.reason);
+///     println!("{} over {}: {}", pass.name(), pass.at.name(), pass.reason);
 /// }
 /// for left in &plan.left_out {
 ///     println!("no {}: {}", left.name, left.reason);
@@ -124,63 +83,83 @@ pub struct LeftOut {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// In the order they run.
-    pub passes: Vec<Pass>,
+    pub passes: Vec<Planned>,
     /// What this scene does without: nothing is computed, set aside or compiled for it.
     pub left_out: Vec<LeftOut>,
+    /// What comes out of it.
+    pub gives: (Resource, Domain),
     /// The pipelines that the passes are made of on a GPU, each once.
     pub shaders: Vec<Shader>,
 }
 
 impl Plan {
-    /// The passes that `scene` needs.
+    /// The passes that a picture of `scene` needs.
     pub fn new(scene: &Scene) -> Self {
-        let called = Called::of(scene);
-        let mut passes = Vec::new();
-        let mut add = |kind, at, reason: String| passes.push(Pass { kind, at, reason });
-        if let Some((update, _)) = &called.bounce {
-            add(PassKind::LightUpdate, Resolution::Spheres, update.clone());
-        }
-        if called.half {
-            let reason = "Soft light changes little from pixel to pixel: a ray for every two by two is enough.";
-            add(PassKind::Gbuffer, Resolution::Halves, reason.to_string());
-            add(PassKind::Shadow, Resolution::Halves, called.shadow());
-            if let Some((_, gather)) = &called.bounce {
-                add(PassKind::LightGather, Resolution::Halves, gather.clone());
+        Self::of(&Facts::of(scene, false))
+    }
+
+    /// The passes that light a caller's own receivers in `scene`: vertices, or whatever else is to be lit.
+    pub fn of_receivers(scene: &Scene) -> Self {
+        Self::of(&Facts::of(scene, true))
+    }
+
+    fn of(facts: &Facts) -> Self {
+        let (mut passes, mut left_out) = (Vec::new(), Vec::new());
+        for pass in PASSES {
+            match (pass.wanted)(facts) {
+                Ok(runs) => passes.extend(runs.into_iter().map(|Run { at, reason }| Planned {
+                    pass,
+                    at,
+                    reason,
+                })),
+                Err(reason) => left_out.push(LeftOut {
+                    name: pass.name,
+                    reason,
+                }),
             }
         }
-        add(PassKind::Gbuffer, Resolution::Samples, called.gbuffer());
-        if called.half {
-            let reason = "Samples take the light of their surface from half resolution; edges and small folds are shaded by themselves.";
-            add(PassKind::Upsample, Resolution::Samples, reason.to_string());
-        } else if called.shadows {
-            add(PassKind::Shadow, Resolution::Samples, called.shadow());
-        } else {
-            let reason = called.irradiance();
-            add(PassKind::Irradiance, Resolution::Samples, reason);
-        }
-        if let (Some((_, gather)), false) = (&called.bounce, called.half) {
-            add(PassKind::LightGather, Resolution::Samples, gather.clone());
-        }
-        add(
-            PassKind::Resolve,
-            Resolution::Pixels,
-            "Lit samples become pixels, with the environment behind them.".to_string(),
-        );
+        left_out.extend(facts.left_out());
+        let passes = order::sorted(passes);
         Self {
-            shaders: shaders::of(&passes, &called),
-            left_out: called.left_out(),
+            shaders: shaders::of(&passes, facts),
+            gives: match facts.brought {
+                true => (resource::RADIANCE, Domain::Receivers),
+                false => (resource::PICTURE, Domain::Pixels),
+            },
+            left_out,
             passes,
         }
     }
 
     /// Whether any pass looks at blockers: without one there is no tree of them.
     pub fn is_blocked(&self) -> bool {
-        self.has(PassKind::Shadow) || self.has(PassKind::LightUpdate)
+        self.touches(resource::BLOCKERS)
     }
 
-    /// Whether a pass of this kind is in the plan.
-    pub fn has(&self, kind: PassKind) -> bool {
-        self.passes.iter().any(|pass| pass.kind == kind)
+    /// Whether any pass reads or writes a resource, of whatever domain.
+    pub fn touches(&self, resource: Resource) -> bool {
+        let mut slots = self.passes.iter().flat_map(Planned::slots);
+        slots.any(|slot| slot.resource == resource && slot.access != Access::ReadIfAny)
+    }
+
+    /// The first pass that makes a resource of a domain.
+    pub fn maker(&self, resource: Resource, domain: Domain) -> Option<usize> {
+        let makes = |planned: &Planned| {
+            let slots = planned.slots();
+            let mut made = slots.iter().filter(|slot| slot.access == Access::Write);
+            made.any(|slot| slot.bound(planned.at) == (resource, domain))
+        };
+        self.passes.iter().position(makes)
+    }
+
+    /// Whether a pass is in the plan.
+    pub fn has(&self, pass: &Pass) -> bool {
+        self.passes.iter().any(|planned| planned.is(pass))
+    }
+
+    /// Whether any pass runs over a domain.
+    pub fn runs_over(&self, domain: Domain) -> bool {
+        self.passes.iter().any(|planned| planned.at == domain)
     }
 }
 
@@ -189,7 +168,7 @@ impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, pass) in self.passes.iter().enumerate() {
             let end = if i == 0 { "" } else { "\n" };
-            write!(f, "{end}{:<10} {}", pass.kind.name(), pass.reason)?;
+            write!(f, "{end}{:<10} {}", pass.name(), pass.reason)?;
         }
         Ok(())
     }

@@ -1,8 +1,6 @@
 //! The pipelines of a plan: which entry point, of which orders, with which parts switched off for good.
 
-use super::reasons::Called;
-use super::{Pass, PassKind};
-use crate::Blocking;
+use super::{Entry, Facts, Orders, Planned};
 use std::fmt;
 
 /// One pipeline: an entry point of a pass's kernel, specialised. No kernel asks at run time what a plan knows.
@@ -17,8 +15,8 @@ use std::fmt;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Shader {
-    /// The pass whose kernel it is of; its text, of these orders, is one shader module.
-    pub pass: PassKind,
+    /// The kernel: a file in `kernels`; its text, of these orders, is one shader module.
+    pub kernel: &'static str,
     /// The entry point; `body` and `ground` are a vertex and a fragment stage.
     pub entry: &'static str,
     /// SH order of the light; none where the kernel has none.
@@ -31,8 +29,8 @@ pub struct Shader {
 
 impl Shader {
     /// What tells its module from others: pipelines that agree here share one.
-    pub fn module(&self) -> (PassKind, Option<usize>, Option<usize>) {
-        (self.pass, self.order, self.accumulation)
+    pub fn module(&self) -> (&'static str, Option<usize>, Option<usize>) {
+        (self.kernel, self.order, self.accumulation)
     }
 }
 
@@ -54,75 +52,27 @@ impl fmt::Display for Shader {
 }
 
 /// The pipelines that passes need, each once, in the order of their first use.
-pub(super) fn of(passes: &[Pass], called: &Called) -> Vec<Shader> {
-    let lamps = [
-        ("LAMPS", called.lamps > 0),
-        ("DISTRIBUTIONS", called.uneven > 0),
-    ];
+pub(super) fn of(passes: &[Planned], facts: &Facts) -> Vec<Shader> {
     let mut all: Vec<Shader> = Vec::new();
-    for pass in passes {
-        let mut add = |kind, entry, constants: &[(&'static str, bool)]| {
-            let shader = specialised(kind, entry, constants.to_vec(), called);
-            if !all.contains(&shader) {
-                all.push(shader);
-            }
-        };
-        let kind = pass.kind;
-        match kind {
-            PassKind::Gbuffer => {
-                if called.drawn > 0 {
-                    add(kind, "body", &[]);
-                }
-                if called.scene.ground.is_some() {
-                    add(kind, "ground", &[]);
-                }
-                add(kind, "pack", &[]);
-            }
-            PassKind::Irradiance => add(kind, "irradiance", &lamps),
-            PassKind::Shadow => add(kind, "shadow", &lamps),
-            PassKind::LightUpdate => {
-                add(PassKind::Shadow, "shadow", &lamps);
-                for entry in ["place", "project", "raise"] {
-                    add(kind, entry, &[]);
-                }
-            }
-            PassKind::LightGather => {
-                let blocking = called.settings.indirect.unwrap_or_default().blocking;
-                let entry = match blocking {
-                    Blocking::Discs => "gather_discs",
-                    Blocking::Runs | Blocking::Sphere | Blocking::Object => "gather_sums",
-                };
-                let by_bodies = [("BY_BODIES", blocking == Blocking::Object)];
-                let discs = blocking == Blocking::Discs;
-                add(kind, entry, if discs { &[] } else { &by_bodies });
-            }
-            PassKind::Upsample => {
-                let sent = ("SENT", called.bounce.is_some());
-                add(PassKind::Shadow, "shadow", &lamps);
-                add(kind, "shares", &lamps);
-                add(kind, "upsample", &[lamps[0], lamps[1], sent]);
-                add(kind, "scatter", &[]);
-            }
-            PassKind::Resolve => add(kind, "resolve", &[]),
+    for entry in passes
+        .iter()
+        .flat_map(|planned| (planned.pass.entries)(facts))
+    {
+        let shader = specialised(entry, facts);
+        if !all.contains(&shader) {
+            all.push(shader);
         }
     }
     all
 }
 
-fn specialised(
-    pass: PassKind,
-    entry: &'static str,
-    constants: Vec<(&'static str, bool)>,
-    called: &Called,
-) -> Shader {
-    let settings = called.settings;
-    let plain = matches!(pass, PassKind::Gbuffer | PassKind::Resolve);
-    let accumulates = pass == PassKind::Shadow;
+fn specialised(entry: Entry, facts: &Facts) -> Shader {
+    let settings = facts.settings;
     Shader {
-        pass,
-        entry,
-        order: (!plain).then_some(settings.order),
-        accumulation: accumulates.then_some(settings.accumulation),
-        constants,
+        kernel: entry.kernel,
+        entry: entry.name,
+        order: (entry.orders != Orders::None).then_some(settings.order),
+        accumulation: (entry.orders == Orders::Both).then_some(settings.accumulation),
+        constants: entry.constants,
     }
 }

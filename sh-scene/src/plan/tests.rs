@@ -1,3 +1,6 @@
+use super::passes::{
+    IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, RESOLVE, SCATTER, SHADOW, SHARES, UPSAMPLE,
+};
 use super::*;
 use crate::surface::SurfacePoint;
 use crate::{
@@ -57,9 +60,9 @@ fn an_effect_taken_away_leaves_the_plan_of_a_scene_that_never_had_it() {
     assert_eq!(off.shaders, never.shaders);
     let with = Plan::new(&scene(8, true));
     assert_ne!(with, never);
-    assert!(with.has(PassKind::Shadow) && !with.has(PassKind::Irradiance));
-    assert!(never.has(PassKind::Irradiance) && !never.has(PassKind::Shadow));
-    assert!(with.has(PassKind::Upsample) && !never.has(PassKind::Upsample));
+    assert!(with.has(&SHADOW) && !with.has(&IRRADIANCE));
+    assert!(never.has(&IRRADIANCE) && !never.has(&SHADOW));
+    assert!(with.has(&UPSAMPLE) && !never.has(&UPSAMPLE));
 }
 
 #[test]
@@ -73,9 +76,9 @@ fn light_is_sent_on_only_where_something_can_see_it() {
         bounced.objects[0].surface.push([SurfacePoint::default()]);
     }
     let with = Plan::new(&bounced);
-    assert!(with.has(PassKind::LightUpdate) && with.has(PassKind::LightGather));
+    assert!(with.has(&LIGHT_UPDATE) && with.has(&LIGHT_GATHER));
     bounced.settings.half_resolution = false;
-    assert!(Plan::new(&bounced).has(PassKind::LightGather));
+    assert!(Plan::new(&bounced).has(&LIGHT_GATHER));
     bounced.settings.indirect = None;
     bounced.settings.half_resolution = true;
     assert_eq!(Plan::new(&bounced), without);
@@ -83,16 +86,13 @@ fn light_is_sent_on_only_where_something_can_see_it() {
     let mut alone = scene(1, true);
     alone.settings.indirect = Some(Indirect::default());
     alone.objects[0].surface.push([SurfacePoint::default()]);
-    assert!(
-        Plan::new(&alone).has(PassKind::LightGather),
-        "the ground does"
-    );
+    assert!(Plan::new(&alone).has(&LIGHT_GATHER), "the ground does");
     alone.ground = None;
-    assert!(!Plan::new(&alone).has(PassKind::LightGather));
+    assert!(!Plan::new(&alone).has(&LIGHT_GATHER));
 }
 
-#[test]
-fn every_pass_reads_what_is_there() {
+/// Scenes that call for as different plans as there are.
+fn varied() -> Vec<Scene> {
     let mut full = scene(8, true);
     full.settings.half_resolution = false;
     let mut bounced = full.clone();
@@ -100,21 +100,114 @@ fn every_pass_reads_what_is_there() {
     bounced.objects[0].surface.push([SurfacePoint::default()]);
     let mut half = bounced.clone();
     half.settings.half_resolution = true;
-    for scene in [scene(8, true), scene(0, true), full, bounced, half] {
-        let plan = Plan::new(&scene);
-        let mut there = Vec::new();
-        for pass in &plan.passes {
-            for read in pass.reads() {
-                let made = read.resolution() == Resolution::Fixed || there.contains(read);
-                assert!(
-                    made,
-                    "{} reads {read:?} before it is written",
-                    pass.kind.name()
-                );
+    let mut open = bounced.clone();
+    open.settings.shadows = false;
+    vec![scene(8, true), scene(0, true), full, bounced, half, open]
+}
+
+#[test]
+fn every_pass_reads_what_is_there() {
+    for scene in varied() {
+        for plan in [Plan::new(&scene), Plan::of_receivers(&scene)] {
+            assert_eq!(plan.check(), Ok(()), "{plan}");
+            // Whichever pass is taken away, somebody misses what it gives; one that adds to light alone is not missed.
+            for index in 0..plan.passes.len() {
+                let mut less = plan.clone();
+                let gone = less.passes.remove(index);
+                let adds = gone.slots().iter().all(|slot| slot.access != Access::Write);
+                let missed = match less.check() {
+                    Err(PlanError::Missing { missing, .. }) => missing.contains(gone.name()),
+                    Ok(()) => adds || gone.is(&LIGHT_GATHER),
+                    Err(_) => false,
+                };
+                assert!(missed, "{plan}\nwithout {gone:?}: {:?}", less.check());
             }
-            there.extend_from_slice(pass.writes());
         }
-        assert!(there.contains(&Resource::Picture));
+    }
+}
+
+/// Whatever order the table has: what a pass needs comes before it, and phases are kept.
+#[test]
+fn the_order_of_passes_follows_from_their_slots() {
+    for scene in varied() {
+        let plan = Plan::new(&scene);
+        let mut turned = plan.passes.clone();
+        turned.reverse();
+        let again = Plan {
+            passes: order::sorted(turned),
+            ..plan.clone()
+        };
+        assert_eq!(again.check(), Ok(()), "{again}");
+        let mut backwards = plan.clone();
+        backwards.passes.reverse();
+        assert!(matches!(backwards.check(), Err(PlanError::Order { .. })));
+    }
+    let mut half = scene(8, true);
+    half.settings.indirect = Some(Indirect::default());
+    half.objects[0].surface.push([SurfacePoint::default()]);
+    let plan = Plan::new(&half);
+    let order: Vec<_> = plan
+        .passes
+        .iter()
+        .map(|p| (p.name(), p.at.name()))
+        .collect();
+    assert_eq!(
+        order,
+        [
+            ("light_update", "spheres"),
+            ("gbuffer", "halves"),
+            ("shadow", "halves"),
+            ("light_gather", "halves"),
+            ("shares", "halves"),
+            ("gbuffer", "samples"),
+            ("upsample", "samples"),
+            ("shadow", "rest"),
+            ("light_gather", "rest"),
+            ("scatter", "rest"),
+            ("resolve", "pixels"),
+        ]
+    );
+}
+
+/// Steps: once, then band by band through all passes of a phase.
+#[test]
+fn steps_go_through_all_passes_band_by_band() {
+    let plan = Plan::new(&scene(8, true));
+    let steps = plan.steps(2, 3);
+    let names: Vec<_> = steps
+        .iter()
+        .map(|step| (plan.passes[step.pass].name(), step.part))
+        .collect();
+    let (coarse, fine) = (["gbuffer", "shadow", "shares"], plan.passes.len() - 3);
+    assert_eq!(names.len(), 2 * coarse.len() + 3 * fine);
+    for (step, name) in names.iter().zip(coarse) {
+        assert_eq!(*step, (name, Part::Band(0)));
+    }
+    assert_eq!(names[3], ("gbuffer", Part::Band(1)));
+    assert_eq!(names[6], ("gbuffer", Part::Band(0)));
+    assert_eq!(names.last(), Some(&("resolve", Part::Band(2))));
+    // A caller's receivers are lit at once.
+    let lit = Plan::of_receivers(&scene(8, true));
+    let step = Step {
+        pass: 0,
+        part: Part::Whole,
+    };
+    assert_eq!(lit.steps(0, 0), [step]);
+}
+
+/// The caller's receivers are neither seen nor resolved, and what spheres send them is kept apart.
+#[test]
+fn receivers_of_the_callers_are_lit_and_nothing_else() {
+    let mut scene = scene(8, true);
+    scene.settings.indirect = Some(Indirect::default());
+    scene.objects[0].surface.push([SurfacePoint::default()]);
+    let plan = Plan::of_receivers(&scene);
+    let names: Vec<_> = plan.passes.iter().map(Planned::name).collect();
+    assert_eq!(names, ["light_update", "shadow", "light_gather"]);
+    let sent = plan.maker(resource::SENT, Domain::Receivers);
+    assert_eq!(sent, Some(2));
+    for pass in [&UPSAMPLE, &SHARES, &SCATTER, &RESOLVE] {
+        assert!(plan.left_out.iter().any(|left| left.name == pass.name));
     }
 }
 
@@ -234,10 +327,12 @@ fn what_is_left_out_is_told_in_sentences() {
     let left = Plan::new(&bare).left_out;
     let names: Vec<_> = left.iter().map(|left| left.name).collect();
     let expected = [
-        "shadow",
-        "upsample",
         "light_update",
+        "shadow",
         "light_gather",
+        "shares",
+        "upsample",
+        "scatter",
         "lamps",
         "ground",
         "bodies",
@@ -258,17 +353,8 @@ fn shaders_are_those_of_the_passes() {
     all.settings.indirect = Some(Indirect::default());
     all.objects[0].surface.push([SurfacePoint::default()]);
     let plan = Plan::new(&all);
-    let kinds: Vec<_> = plan.passes.iter().map(|pass| pass.kind).collect();
     for (i, shader) in plan.shaders.iter().enumerate() {
-        assert!(kinds.contains(&shader.pass), "{shader}");
         assert!(!plan.shaders[..i].contains(shader), "{shader}");
-    }
-    for kind in kinds {
-        assert!(
-            plan.shaders.iter().any(|shader| shader.pass == kind),
-            "{}",
-            kind.name()
-        );
     }
     let text: Vec<_> = plan.shaders.iter().map(Shader::to_string).collect();
     assert!(

@@ -1,0 +1,104 @@
+//! Whether a plan gives what it is for.
+
+use super::resource::RECEIVERS;
+use super::{Access, Domain, PASSES, Plan, Planned, Resource};
+
+/// Why a plan cannot be worked off.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PlanError {
+    /// Nothing makes what a pass needs.
+    #[error("the plan has no {missing} pass, which would give {wanting} its {resource}")]
+    Missing {
+        /// The passes that would do.
+        missing: String,
+        /// What is not there.
+        resource: &'static str,
+        /// What needs it.
+        wanting: &'static str,
+    },
+    /// A pass comes before what it needs.
+    #[error(
+        "the plan's passes are out of order: {before} needs the {resource} of {after}, which comes later"
+    )]
+    Order {
+        /// What comes too early.
+        before: &'static str,
+        /// What comes too late.
+        after: &'static str,
+        /// What they have in common.
+        resource: &'static str,
+    },
+}
+
+impl Plan {
+    /// Whether every pass finds what it reads, and a picture or the light of receivers comes out.
+    ///
+    /// # Errors
+    /// The first thing that is missing or comes too late.
+    pub fn check(&self) -> Result<(), PlanError> {
+        for (index, pass) in self.passes.iter().enumerate() {
+            for slot in pass.slots() {
+                if !matches!(slot.access, Access::Read | Access::Modify) {
+                    continue;
+                }
+                self.made((pass.name(), index), slot.bound(pass.at))?;
+            }
+        }
+        self.made(("the caller", self.passes.len()), self.gives)
+    }
+
+    /// Whether something is there when a pass asks for it.
+    fn made(
+        &self,
+        (wanting, index): (&'static str, usize),
+        what: (Resource, Domain),
+    ) -> Result<(), PlanError> {
+        let resource = what.0.name;
+        if what.0.given || what == (RECEIVERS, Domain::Receivers) {
+            return Ok(());
+        }
+        let makes = |pass: &&Planned| makes(pass.slots(), pass.at, what);
+        let (earlier, later) = self.passes.split_at(index);
+        if earlier.iter().any(|pass| makes(&pass)) {
+            return Ok(());
+        }
+        if let Some(after) = later.iter().find(makes) {
+            return Err(PlanError::Order {
+                before: wanting,
+                after: after.name(),
+                resource,
+            });
+        }
+        let would = |at: Domain| {
+            let all = PASSES.iter().map(move |pass| (pass, at));
+            all.filter(|(pass, at)| makes_at(pass, *at, what))
+        };
+        let mut names: Vec<&str> = Domain::ALL
+            .into_iter()
+            .flat_map(would)
+            .map(|(pass, _)| pass.name)
+            .collect();
+        names.sort_by_key(|name| PASSES.iter().position(|pass| pass.name == *name));
+        names.dedup();
+        let last = names.pop().unwrap_or("such");
+        let missing = match names.is_empty() {
+            true => last.into(),
+            false => format!("{} or {last}", names.join(", ")),
+        };
+        Err(PlanError::Missing {
+            missing,
+            resource,
+            wanting,
+        })
+    }
+}
+
+fn makes(slots: Vec<super::Slot>, at: Domain, what: (Resource, Domain)) -> bool {
+    let mut made = slots.iter().filter(|slot| slot.access == Access::Write);
+    made.any(|slot| slot.bound(at) == what)
+}
+
+fn makes_at(pass: &super::Pass, at: Domain, what: (Resource, Domain)) -> bool {
+    makes((pass.slots)(at), at, what)
+}

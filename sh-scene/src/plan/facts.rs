@@ -1,0 +1,139 @@
+//! What of a scene decides about its passes.
+
+use super::{Domain, LeftOut};
+use crate::{Object, Scene, Settings};
+
+/// What of a scene and its settings decides about passes and shaders.
+pub struct Facts<'a> {
+    /// The scene itself.
+    pub scene: &'a Scene,
+    /// Its settings.
+    pub settings: Settings,
+    /// Whether receivers are the caller's, and not what a camera sees.
+    pub brought: bool,
+    /// Blocker spheres.
+    pub blockers: usize,
+    /// Lamps that shine.
+    pub lamps: usize,
+    /// Those of them that have a distribution.
+    pub uneven: usize,
+    /// Bodies with a triangle.
+    pub drawn: usize,
+    /// Whether blockers cast shadows.
+    pub shadows: bool,
+    /// Whether they do so at half resolution.
+    pub half: bool,
+    /// How many spheres send light on, or why none does.
+    pub senders: Result<usize, &'static str>,
+}
+
+impl<'a> Facts<'a> {
+    /// Of a scene; `brought` says whether its receivers are the caller's.
+    pub fn of(scene: &'a Scene, brought: bool) -> Self {
+        let settings = scene.settings;
+        let blockers = scene.objects.iter().map(|o| o.spheres.len()).sum();
+        let shadows = settings.shadows && blockers > 0;
+        let shining = || scene.lights.iter().filter(|lamp| lamp.shines());
+        let triangles = |o: &&Object| !o.mesh.triangles.is_empty();
+        Self {
+            scene,
+            settings,
+            brought,
+            blockers,
+            lamps: shining().count(),
+            uneven: shining().filter(|lamp| lamp.distribution.is_some()).count(),
+            drawn: scene.objects.iter().filter(triangles).count(),
+            shadows,
+            half: shadows && settings.half_resolution && !brought,
+            senders: senders(scene),
+        }
+    }
+
+    /// The receivers that have to be lit in the end.
+    pub fn finest(&self) -> Domain {
+        match self.brought {
+            true => Domain::Receivers,
+            false => Domain::Samples,
+        }
+    }
+
+    /// The override constants of kernels that know of lamps.
+    pub fn lamp_constants(&self) -> [(&'static str, bool); 2] {
+        [
+            ("LAMPS", self.lamps > 0),
+            ("DISTRIBUTIONS", self.uneven > 0),
+        ]
+    }
+
+    /// The light, as sentences begin with it.
+    pub fn light(&self) -> String {
+        let order = self.settings.order;
+        let lamps = counted(self.lamps, "lamp", "lamps");
+        match [self.lamps, self.uneven] {
+            [0, _] => format!("Environment light of order {order}"),
+            [_, 0] => format!("Environment light of order {order} and that of {lamps}"),
+            [_, n] => format!(
+                "Environment light of order {order} and that of {lamps}, {n} with a distribution of its own,"
+            ),
+        }
+    }
+
+    /// What parts of passes there is no work for.
+    pub(super) fn left_out(&self) -> Vec<LeftOut> {
+        let mut all = Vec::new();
+        let mut add = |name, reason: &str| {
+            let reason = reason.to_string();
+            all.push(LeftOut { name, reason });
+        };
+        let dark = self.scene.lights.len() - self.lamps;
+        if self.lamps == 0 && dark == 0 {
+            add(
+                "lamps",
+                "There is none: shaders are made without the code for them.",
+            );
+        } else if dark > 0 {
+            let lamps = counted(dark, "lamp has", "lamps have");
+            add("lamps", &format!("{lamps} no radiance."));
+        }
+        if self.scene.ground.is_none() && !self.brought {
+            add("ground", "There is no ground plane: it is not drawn.");
+        }
+        if self.drawn == 0 && !self.brought {
+            add("bodies", "No object has a triangle: none is drawn.");
+        }
+        all
+    }
+}
+
+/// How many spheres send light on, in a scene that asks for it and has bodies that can see another; or why none does.
+fn senders(scene: &Scene) -> Result<usize, &'static str> {
+    scene
+        .settings
+        .indirect
+        .ok_or("Bodies do not light each other, because the settings do not ask for it.")?;
+    let shining = |o: &&Object| !o.surface.points.is_empty();
+    let lights: usize = scene
+        .objects
+        .iter()
+        .filter(shining)
+        .map(|o| o.spheres.len())
+        .sum();
+    let bodies = scene
+        .objects
+        .iter()
+        .filter(|o| !o.mesh.triangles.is_empty() || !o.spheres.is_empty())
+        .count();
+    let seen = bodies + usize::from(scene.ground.is_some());
+    if lights == 0 {
+        return Err("No sphere has surface samples that could send light on.");
+    }
+    if seen < 2 && lights < 2 {
+        return Err("Nothing can see the only sphere that would send light on.");
+    }
+    Ok(lights)
+}
+
+/// "1 object", "3 objects".
+pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}

@@ -1,0 +1,66 @@
+//! The light that spheres have sent on.
+
+use crate::Blocking;
+use crate::plan::resource::{BLOCKERS, EMISSION, RADIANCE, RECEIVERS, SENT};
+use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
+
+/// Light by way of spheres, added to radiance; kept apart from it at half resolution, where shadows are interpolated as a
+/// share of their light, and for a caller's own receivers.
+pub static LIGHT_GATHER: Pass = Pass {
+    name: "light_gather",
+    slots: |at| match at {
+        Domain::Halves | Domain::Receivers => vec![
+            Slot::read(RECEIVERS),
+            Slot::read(BLOCKERS),
+            Slot::read(EMISSION),
+            Slot::write(SENT),
+        ],
+        _ => vec![
+            Slot::read(RECEIVERS),
+            Slot::read(BLOCKERS),
+            Slot::read(EMISSION),
+            Slot::modify(RADIANCE),
+        ],
+    },
+    wanted: |facts| {
+        facts.senders?;
+        let hides = match facts.settings.indirect.unwrap_or_default().blocking {
+            Blocking::Discs => {
+                "each is a disc in the sky that nearer ones cover in part, in an order that is right whether bodies interlock or not"
+            }
+            Blocking::Runs => {
+                "what is summed up for nearer spheres serves farther ones, and pairs are looked at one by one only where bodies interlock"
+            }
+            Blocking::Sphere => "every sphere is looked at with all that are nearer",
+            Blocking::Object => "bodies hide each other as a whole",
+        };
+        let reason = format!("Bodies light each other and the ground; {hides}.");
+        if !facts.half {
+            let at = facts.finest();
+            return Ok(vec![Run { at, reason }]);
+        }
+        let rest = "Edges and small folds gather what bodies send by themselves.";
+        Ok(vec![
+            Run {
+                at: Domain::Halves,
+                reason,
+            },
+            Run {
+                at: Domain::Rest,
+                reason: rest.into(),
+            },
+        ])
+    },
+    entries: |facts| {
+        let entry = |name| Entry::new("light_gather", name, Orders::Light);
+        vec![match facts.settings.indirect.unwrap_or_default().blocking {
+            Blocking::Discs => entry("gather_discs"),
+            Blocking::Runs | Blocking::Sphere => entry("gather_sums").with(&[("BY_BODIES", false)]),
+            Blocking::Object => entry("gather_sums").with(&[("BY_BODIES", true)]),
+        }]
+    },
+    cost: |units| Cost {
+        multiply_adds: units.gather,
+        nanoseconds: 0.0,
+    },
+};

@@ -1,0 +1,38 @@
+//! The passes there are, a file each.
+//!
+//! The table's order says which of two passes comes first where their slots leave that open.
+
+mod gbuffer;
+mod irradiance;
+mod light_gather;
+mod light_update;
+mod resolve;
+mod scatter;
+mod shadow;
+mod shares;
+mod upsample;
+
+pub use gbuffer::GBUFFER;
+pub use irradiance::IRRADIANCE;
+pub use light_gather::LIGHT_GATHER;
+pub use light_update::LIGHT_UPDATE;
+pub use resolve::RESOLVE;
+pub use scatter::SCATTER;
+pub use shadow::SHADOW;
+pub use shares::SHARES;
+pub use upsample::UPSAMPLE;
+
+use super::Pass;
+
+/// All of them.
+pub static PASSES: [&Pass; 9] = [
+    &LIGHT_UPDATE,
+    &GBUFFER,
+    &IRRADIANCE,
+    &SHADOW,
+    &LIGHT_GATHER,
+    &SHARES,
+    &UPSAMPLE,
+    &SCATTER,
+    &RESOLVE,
+];

@@ -1,0 +1,29 @@
+//! The light of samples that half resolution does not do for, back to where they are.
+
+use super::upsample;
+use crate::plan::resource::{RADIANCE, RECEIVERS};
+use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
+
+/// Light of the rest, to its samples.
+pub static SCATTER: Pass = Pass {
+    name: "scatter",
+    slots: |_| {
+        vec![
+            Slot::read(RECEIVERS),
+            Slot::read(RADIANCE),
+            Slot::modify(RADIANCE).of(Domain::Samples),
+        ]
+    },
+    wanted: |facts| {
+        upsample::needed(facts)?;
+        Ok(vec![Run {
+            at: Domain::Rest,
+            reason: "What was shaded by itself goes back to its samples.".into(),
+        }])
+    },
+    entries: |_| vec![Entry::new("upsample", "scatter", Orders::Light)],
+    cost: |_| Cost {
+        multiply_adds: 0.0,
+        nanoseconds: 5.0,
+    },
+};

@@ -1,0 +1,49 @@
+//! Light at half resolution to samples, by a joint bilateral filter, and the list of those that it does not do for.
+
+use crate::plan::resource::{LIGHT, RADIANCE, RECEIVERS, SENT};
+use crate::plan::{Cost, Domain, Entry, Facts, Orders, Pass, Run, Slot};
+
+/// Light of samples from that of their surface at half resolution.
+pub static UPSAMPLE: Pass = Pass {
+    name: "upsample",
+    slots: |_| {
+        vec![
+            Slot::read(RECEIVERS).of(Domain::Halves),
+            Slot::read(RADIANCE).of(Domain::Halves),
+            Slot::read_if_any(SENT).of(Domain::Halves),
+            Slot::read(RECEIVERS),
+            Slot::read(LIGHT),
+            Slot::write(RADIANCE),
+            Slot::write(RECEIVERS).of(Domain::Rest),
+        ]
+    },
+    wanted: |facts| {
+        needed(facts)?;
+        Ok(vec![Run {
+            at: Domain::Samples,
+            reason: "Samples take the light of their surface from half resolution.".into(),
+        }])
+    },
+    entries: |facts| {
+        let [lamps, distributions] = facts.lamp_constants();
+        let sent = ("SENT", facts.senders.is_ok());
+        let entry = Entry::new("upsample", "upsample", Orders::Light);
+        vec![entry.with(&[lamps, distributions, sent])]
+    },
+    cost: |units| Cost {
+        multiply_adds: units.open,
+        nanoseconds: 60.0,
+    },
+};
+
+/// Why there is nothing to upsample, if there is not.
+pub(super) fn needed(facts: &Facts) -> Result<(), String> {
+    match (facts.half, facts.shadows) {
+        (true, _) => Ok(()),
+        (_, true) if facts.brought => Err("Every receiver of the caller's is shaded.".into()),
+        (_, true) => Err("Shadows are computed for every sample, as the settings ask.".into()),
+        (_, false) => {
+            Err("Without shadows, light costs less than taking it from half resolution.".into())
+        }
+    }
+}
