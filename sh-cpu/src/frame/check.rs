@@ -1,31 +1,44 @@
 //! Whether a plan makes a picture.
 
 use crate::Error;
-use sh_scene::{PassKind, Plan, Resolution};
+use sh_scene::{Plan, Resolution, Resource};
 
-/// Whether it does: samples, then light on them, then pixels.
+/// Whether it does: what each pass reads is there or was written before, and a picture is written.
 pub(super) fn check_plan(plan: &Plan) -> Result<(), Error> {
-    let at = |kinds: &[PassKind], resolution: Resolution| {
-        plan.passes
-            .iter()
-            .position(|pass| pass.at == resolution && kinds.contains(&pass.kind))
+    let writes = |at: &[sh_scene::Pass], resource: &Resource| {
+        at.iter().any(|pass| pass.writes().contains(resource))
     };
-    let (samples, halves) = (Resolution::Samples, Resolution::Halves);
-    let missing = |missing| Error::Plan { missing };
-    let sampled = at(&[PassKind::Gbuffer], samples).ok_or(missing("gbuffer"))?;
-    let light = [PassKind::Irradiance, PassKind::Shadow, PassKind::Upsample];
-    let lit = at(&light, samples).ok_or(missing("irradiance, shadow or upsample"))?;
-    let resolved = at(&[PassKind::Resolve], Resolution::Pixels).ok_or(missing("resolve"))?;
-    if plan.has(PassKind::Upsample) {
-        let seen = at(&[PassKind::Gbuffer], halves).ok_or(missing("gbuffer at half resolution"))?;
-        let shaded = at(&[PassKind::Shadow], halves).ok_or(missing("shadow at half resolution"))?;
-        if seen > shaded || shaded > lit {
-            return Err(Error::PlanOrder);
+    for (index, pass) in plan.passes.iter().enumerate() {
+        for resource in pass.reads() {
+            let (before, after) = plan.passes.split_at(index);
+            if resource.resolution() == Resolution::Fixed || writes(before, resource) {
+                continue;
+            }
+            // What only adds to a resource reads it as well.
+            return Err(match writes(&after[1..], resource) {
+                true => Error::PlanOrder,
+                false => Error::Plan {
+                    missing: writers(*resource),
+                },
+            });
         }
     }
-    if sampled < lit && lit < resolved {
+    if writes(&plan.passes, &Resource::Picture) {
         Ok(())
     } else {
-        Err(Error::PlanOrder)
+        let missing = writers(Resource::Picture);
+        Err(Error::Plan { missing })
+    }
+}
+
+/// The passes that write a resource, as an error names them.
+fn writers(resource: Resource) -> &'static str {
+    match resource {
+        Resource::HalfReceivers => "gbuffer at half resolution",
+        Resource::HalfRadiance => "shadow at half resolution",
+        Resource::Radiance => "irradiance, shadow or upsample",
+        Resource::Emission => "light_update",
+        Resource::Picture => "resolve",
+        _ => "gbuffer",
     }
 }
