@@ -12,12 +12,13 @@
 //! | [`basis`] | the real SH basis, any order, and reconstruction |
 //! | [`scipy`] | the basis again, from SciPy: a table of values |
 //! | [`quadrature`] | integrals and projections of functions on the sphere |
+//! | [`octahedral`] | sampling rules, solved from their moments |
 //! | [`product`] | Gaunt tensor, product, square, triple product, product matrix |
 //! | [`rotation`] | rotation by a quaternion |
 //! | [`zonal`] | zonal vectors turned to a direction, the cosine lobe, the window |
 //! | [`cap`] | the visibility past a sphere |
 //! | [`ball`] | how much is seen of what a sphere emits |
-//! | [`lens`] | the common part of two discs |
+//! | [`lens`] | the common part of two discs, flat and on the sphere |
 //! | [`log`] | the SH logarithm, by eigenvalues and by samples |
 //! | [`exp`] | the SH exponential, exact and by the series of Ren 2006 |
 //! | [`environment`] | the projection of an equirectangular map |
@@ -56,6 +57,7 @@ pub mod exp;
 pub mod horizon;
 pub mod lens;
 pub mod log;
+pub mod octahedral;
 pub mod paths;
 pub mod product;
 pub mod quadrature;

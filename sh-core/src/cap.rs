@@ -53,10 +53,11 @@ where
 /// 0.42 from there to 179°, where its DC coefficient is below −10. Ren et al. 2006, eq. 30–34.
 ///
 /// ```
-/// // A whole degree is a row of the table, and the table is the eigenanalysis.
-/// let z = sh_core::cap::log_table::<16>(30.0_f64.to_radians());
-/// let fitted = sh_core::cap::log_fitted::<16>(30.0_f64.to_radians());
-/// assert!(z[0] < 0.0 && (z[0] - fitted[0]).abs() < 0.45);
+/// // Whole degrees are rows of the table, and a half degree is the mean of two.
+/// let at = |degrees: f64| sh_core::cap::log_table::<16>(degrees.to_radians())[0];
+/// assert!((at(30.5) - 0.5 * (at(30.0) + at(31.0))).abs() < 1e-9);
+/// // A larger circle hides more.
+/// assert!(at(31.0) < at(30.0) && at(30.0) < at(29.0));
 /// ```
 pub fn log_table<const C: usize>(angle: f64) -> <[f64; C] as Routines<f64>>::Zonal
 where

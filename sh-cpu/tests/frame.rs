@@ -6,7 +6,8 @@ use common::{object, scene, sphere_mesh};
 use glam::{Affine3A, Vec3, vec3};
 use sh_cpu::{Error, Frame, render};
 use sh_scene::passes::{GBUFFER, RESOLVE, SHADOW};
-use sh_scene::{EnvironmentMap, Ground, Plan, PlanError, Scene};
+use sh_scene::surface::{SurfacePoint, directions};
+use sh_scene::{Domain, EnvironmentMap, Ground, Indirect, Plan, PlanError, Scene};
 use std::sync::Mutex;
 
 /// A ball on the ground under an even sky.
@@ -19,6 +20,25 @@ fn ball() -> Scene {
     });
     scene.camera.eye = vec3(0.0, 3.0, 6.0);
     scene.camera.target = vec3(0.0, 0.7, 0.0);
+    scene
+}
+
+/// Two of them side by side, which light each other and the ground.
+fn two_balls() -> Scene {
+    let mut scene = ball();
+    scene.objects[0]
+        .surface
+        .push(directions().iter().enumerate().map(|(j, &d)| SurfacePoint {
+            position: d,
+            direction: j as u32,
+            normal: d,
+            albedo: [0.9, 0.7, 0.5],
+            ..SurfacePoint::default()
+        }));
+    let mut second = scene.objects[0].clone();
+    second.transform = Affine3A::from_translation(vec3(2.1, 1.0, 0.3));
+    scene.objects.push(second);
+    scene.settings.indirect = Some(Indirect::default());
     scene
 }
 
@@ -105,6 +125,96 @@ fn half_resolution_keeps_the_picture() {
     assert!(rms < 0.004 && worst < 0.06, "{rms} {worst}");
 }
 
+/// The same of what bodies send on alone, against that at full resolution: what comes by way of bodies is all in the half
+/// picture as well, where it is upsampled and where it is found anew.
+#[test]
+fn half_resolution_keeps_the_bounced_light() {
+    let size = (160, 119);
+    let bounced = |half: bool| -> Vec<f32> {
+        let mut scene = two_balls();
+        scene.settings.half_resolution = half;
+        let made = |scene: &Scene| render(scene, &Plan::new(scene), size, &|_| ()).unwrap();
+        let with = made(&scene);
+        scene.settings.indirect = None;
+        let without = made(&scene);
+        let pairs = with.pixels.iter().zip(&without.pixels);
+        pairs.map(|(with, without)| with[1] - without[1]).collect()
+    };
+    let (full, half) = (bounced(false), bounced(true));
+    let lit: Vec<(f32, f32)> = full
+        .into_iter()
+        .zip(half)
+        .filter(|(a, _)| *a > 1e-3)
+        .collect();
+    let mean = lit.iter().map(|(a, _)| a).sum::<f32>() / lit.len() as f32;
+    let bias = lit.iter().map(|(a, b)| b - a).sum::<f32>() / lit.len() as f32 / mean;
+    let square = lit.iter().map(|(a, b)| (b - a).powi(2)).sum::<f32>() / lit.len() as f32;
+    let worst = lit.iter().map(|(a, b)| (b - a).abs()).fold(0.0, f32::max) / mean;
+    let rms = square.sqrt() / mean;
+    println!(
+        "{} pixels of {mean:.4}: bias {bias:.5}, rms {rms:.5}, worst {worst:.4}",
+        lit.len()
+    );
+    assert!(lit.len() > 2000 && mean > 0.01, "{} of {mean}", lit.len());
+    assert!(
+        bias.abs() < 0.003 && rms < 0.035 && worst < 0.7,
+        "{bias} {rms} {worst}"
+    );
+}
+
+/// The passes of a plan are what runs, and each has something to do.
+#[test]
+fn what_runs_is_what_the_plan_says() {
+    let mut scenes = vec![ball(), two_balls()];
+    for scene in scenes.clone() {
+        let mut half = scene.clone();
+        half.settings.half_resolution = true;
+        let mut open = scene;
+        open.settings.shadows = false;
+        scenes.extend([half, open]);
+    }
+    for scene in scenes {
+        let plan = Plan::new(&scene);
+        let frame = picture(&scene, &plan);
+        // What is no pass of its own: the scene's part, and finding spheres.
+        let parts = ["hierarchy", "light", "forest", "cut", "light_cut"];
+        let mut ran: Vec<_> = frame.stages.iter().map(|stage| stage.0).collect();
+        ran.retain(|name| !parts.contains(name));
+        let mut planned: Vec<_> = plan.passes.iter().map(|pass| pass.name()).collect();
+        ran.sort_unstable();
+        planned.sort_unstable();
+        planned.dedup();
+        assert_eq!(ran, planned, "{plan}");
+        for (pass, work) in plan.passes.iter().zip(&frame.work) {
+            assert!(work.tasks > 0, "{} has nothing to do", pass.name());
+        }
+    }
+}
+
+/// What passes say that they read and write is what they need: without any pass that writes what another reads, and in no
+/// other order, there is no picture; without one that only adds, there is.
+#[test]
+fn a_plan_without_what_is_read_is_refused() {
+    let mut scene = two_balls();
+    for half in [false, true] {
+        scene.settings.half_resolution = half;
+        let full = Plan::new(&scene);
+        let mut optional = Vec::new();
+        for left_out in 0..full.passes.len() {
+            let mut plan = full.clone();
+            plan.passes.remove(left_out);
+            match render(&scene, &plan, (24, 16), &|_| ()) {
+                Ok(_) => optional.push(full.passes[left_out].name()),
+                Err(error) => assert!(matches!(error, Error::Plan(_)), "{error}"),
+            }
+        }
+        // At half resolution and for the rest of the samples.
+        let gathers = if half { 2 } else { 1 };
+        assert_eq!(optional, vec!["light_gather"; gathers]);
+        assert!(full.runs_over(Domain::Halves) == half);
+    }
+}
+
 #[test]
 fn the_number_of_threads_changes_no_pixel() {
     let mut scene = ball();
@@ -175,7 +285,7 @@ fn plans_that_make_no_picture_are_refused() {
         ),
         (
             &SHADOW,
-            "the plan has no irradiance, shadow or upsample pass, which would give resolve its radiance",
+            "the plan has no irradiance, shadow or scatter pass, which would give resolve its radiance",
         ),
         (
             &RESOLVE,

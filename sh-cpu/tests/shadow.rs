@@ -1,4 +1,5 @@
-//! The shadow pass: against its own text in f64, at its edges, and in its bounds.
+//! The shadow pass: its rounding, against its own text in f64; its edges and its bounds. Whether that text is the method's
+//! formula, and near what rays see, is `tests/tests/shadow.rs`.
 
 mod common;
 
@@ -75,7 +76,7 @@ fn in_f64(receiver: &Receiver, spheres: &[Sphere], light: &Light, accumulation: 
 }
 
 #[test]
-fn every_path_agrees_with_f64() {
+fn every_path_rounds_to_what_f64_gives() {
     let (receivers, spheres) = scattered(300, 12);
     for (order, accumulation) in [(2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (4, 6), (3, 5)] {
         let light = light(order);
@@ -106,7 +107,7 @@ fn every_path_agrees_with_f64() {
             }
             println!("order {order} of {accumulation}, {path:?}: {worst:.2e}");
             assert!(
-                worst < 2e-4,
+                worst < 1e-5,
                 "order {order} of {accumulation}, {path:?}: {worst}"
             );
         }

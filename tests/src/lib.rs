@@ -3,6 +3,7 @@
 pub mod accuracy;
 pub mod call;
 pub mod case;
+pub mod data;
 pub mod promises;
 pub mod truth;
 pub mod worst;

@@ -15,13 +15,15 @@ pub enum Poison {
     Bounded(f64),
 }
 
-/// Up to which magnitude of its vectors a routine of f32 is finite and accurate, and what it makes of infinities
-/// and NaN.
+/// Up to which magnitude of its vectors a routine of f32 is finite, up to which it is accurate, and what it makes of
+/// infinities and NaN.
 pub struct Promise {
     /// The routine's name.
     pub routine: &'static str,
-    /// The largest magnitude of a vector's elements.
+    /// The largest magnitude of a vector's elements for which it is finite, and within its bound where it has one.
     pub largest: f32,
+    /// The largest for which it is as accurate as at 1.
+    pub accurate: f32,
     /// What comes of what is not finite.
     pub poison: Poison,
 }
@@ -30,7 +32,15 @@ const fn promise(routine: &'static str, largest: f32, poison: Poison) -> Promise
     Promise {
         routine,
         largest,
+        accurate: largest,
         poison,
+    }
+}
+
+impl Promise {
+    /// The same, as accurate as at 1 up to another magnitude.
+    const fn accurate_to(self, accurate: f32) -> Self {
+        Self { accurate, ..self }
     }
 }
 
@@ -41,6 +51,9 @@ const fn bound(h: f64) -> Poison {
 
 /// Arguments of which a value that is not finite means something: tested one by one below.
 pub const MEANT: [(&str, &str); 2] = [("window", "h"), ("optimal_linear_wide", "norm")];
+
+/// Compression tells norms up to 3e18 apart; 36 coefficients of this magnitude have a norm of at most 6e17.
+const COMPRESSED: f32 = 1e17;
 
 /// Magnitudes are of every coefficient; directions, quaternions, matrices and angles are as they should be.
 pub const PROMISES: &[Promise] = &[
@@ -68,8 +81,8 @@ pub const PROMISES: &[Promise] = &[
     promise("accumulated_log", 1e35, Poison::Shows),
     promise("ball_average", 1.0, Poison::Shows),
     promise("disc_covered", 1.0, Poison::Bounded(1.0)),
-    promise("exp_saturating", f32::MAX, bound(1.2996)),
-    promise("transfer", f32::MAX, Poison::Bounded(0.85)),
+    promise("exp_saturating", f32::MAX, bound(1.2996)).accurate_to(COMPRESSED),
+    promise("transfer", f32::MAX, Poison::Bounded(0.85)).accurate_to(COMPRESSED),
     promise("horizon_radius", 1.0, Poison::Bounded(3.0)),
     promise("exp_sampled", 1e36, bound(1.1619)),
     promise("exp_sampled_coarse", 1e36, bound(1.1619)),
@@ -89,9 +102,8 @@ pub fn promised(routine: &Routine) -> &'static Promise {
         .unwrap_or_else(|| panic!("nothing is promised of `{}`", routine.name))
 }
 
-/// Makes a routine's vectors as large as it promises to take them.
-pub fn enlarge(routine: &Routine, arguments: &mut [Vec<f32>]) {
-    let largest = promised(routine).largest;
+/// Makes a routine's vectors larger by so much: at most as large as it promises to take them.
+pub fn enlarge(routine: &Routine, arguments: &mut [Vec<f32>], largest: f32) {
     for (a, (name, shape)) in arguments.iter_mut().zip(routine.arguments) {
         if is_vector(*shape) || *name == "norm" && largest > 1.0 {
             a.iter_mut().for_each(|x| *x *= largest);

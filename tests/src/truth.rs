@@ -1,8 +1,11 @@
-//! The f64 truth of every generated routine, from the reference's recurrences and quadratures.
+//! The f64 truth of every generated routine, from the reference's recurrences, quadratures and sampling rules. A fitted
+//! function is its documentation's formula with the numbers of its data file ([`data`]); how near it is to what it was
+//! fitted to is `tests/tests/fitted.rs`. Nothing here calls the generator.
 
-use sh_codegen::sampled::{self, Fineness};
-use sh_codegen::{fits, octahedral};
+use crate::data;
 use sh_reference as reference;
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 fn three(v: &[f64]) -> [f64; 3] {
     v.try_into().expect("a direction")
@@ -21,7 +24,7 @@ fn polynomial(c: &[f64], x: f64) -> f64 {
 }
 
 fn cap_log(fitted_to: &str, order: usize, sin: f64, cos: f64) -> Vec<f64> {
-    fits::cap_log_coefficients(fitted_to, order)
+    data::cap_log(fitted_to, order)
         .iter()
         .map(|c| sin * sin * polynomial(c, 2.0 * cos - 1.0))
         .collect()
@@ -33,10 +36,24 @@ fn add_cap_log(fitted_to: &str, order: usize, a: &[Vec<f64>]) -> Vec<f64> {
     a[0].iter().zip(turned).map(|(f, t)| f + t).collect()
 }
 
+/// The column of [`data::points`] that routines take unless their name says otherwise.
+const MEDIUM: usize = 1;
+
+/// The points and weights of an order's rule: solved once.
+fn rule(order: usize, fineness: usize) -> &'static [([f64; 3], f64)] {
+    type Rule = Vec<([f64; 3], f64)>;
+    static RULES: LazyLock<BTreeMap<usize, Rule>> = LazyLock::new(|| {
+        let all = (2..=6).flat_map(|order| [0, 1, 2].map(|fineness| data::points(order, fineness)));
+        all.map(|count| (count, reference::octahedral::points(count)))
+            .collect()
+    });
+    &RULES[&data::points(order, fineness)]
+}
+
 /// Samples of f on a rule, a function of each, projected back.
-fn pointwise(order: usize, fineness: Fineness, f: &[f64], h: impl Fn(f64) -> f64) -> Vec<f64> {
+fn pointwise(order: usize, fineness: usize, f: &[f64], h: impl Fn(f64) -> f64) -> Vec<f64> {
     let mut sum = vec![0.0; order * order];
-    for (point, weight) in octahedral::points(sampled::points(order, fineness)) {
+    for &(point, weight) in rule(order, fineness) {
         let value = h(reference::basis::evaluate(f, point));
         for (sum, y) in sum.iter_mut().zip(reference::basis::basis(order, point)) {
             *sum += weight * value * y;
@@ -47,11 +64,12 @@ fn pointwise(order: usize, fineness: Fineness, f: &[f64], h: impl Fn(f64) -> f64
 
 /// The saturating exponential as its documentation defines it.
 fn saturating(order: usize, f: &[f64]) -> Vec<f64> {
-    let (beta, gains) = fits::saturating(order);
+    let row = data::SATURATING.row(&order.to_string());
+    let (beta, gains) = (row[0], &row[1..]);
     let rest: f64 = f[1..].iter().map(|f| f * f).sum();
     let root = (1.0 + beta * rest / (4.0 * std::f64::consts::PI)).sqrt();
     let x: Vec<f64> = f.iter().map(|f| f / root).collect();
-    let mut g = pointwise(order, Fineness::Medium, &x, |x| {
+    let mut g = pointwise(order, MEDIUM, &x, |x| {
         let t = x.clamp(-1.0, 0.2);
         ((1.0 + t) * (1.0 - t / 4.0)).powi(2)
     });
@@ -64,11 +82,12 @@ fn saturating(order: usize, f: &[f64]) -> Vec<f64> {
 /// The transfer as its documentation defines it: samples of f on a rule, the shading exponential of each, times the lobe.
 fn transfer(order: usize, f: &[f64], normal: [f64; 3]) -> Vec<f64> {
     let rest: f64 = f[1..].iter().map(|f| f * f).sum();
-    let root = (1.0 + fits::shading(order) * rest / (4.0 * std::f64::consts::PI)).sqrt();
+    let beta = data::SHADING.row(&format!("compression {order}"))[0];
+    let root = (1.0 + beta * rest / (4.0 * std::f64::consts::PI)).sqrt();
     let x: Vec<f64> = f.iter().map(|f| f / root).collect();
     let lobe = reference::zonal::cosine(2 * order - 1, normal);
     let mut sum = vec![0.0; order * order];
-    for (point, weight) in octahedral::points(sampled::points(order, Fineness::Medium)) {
+    for &(point, weight) in rule(order, MEDIUM) {
         let t = reference::basis::evaluate(&x, point).clamp(-4.0, 0.5);
         let value = (1.0 + t / 4.0).powi(4) * reference::basis::evaluate(&lobe, point);
         for (sum, y) in sum.iter_mut().zip(reference::basis::basis(order, point)) {
@@ -148,26 +167,23 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
                 *z *= w;
             }
             let turned = reference::zonal::rotated(&zonal, three(&a[3]));
-            let added = turned.iter().zip(fits::accumulation_factors(order));
+            let scale = (0..).map(data::accumulation_factor);
             a[0].iter()
-                .zip(added)
-                .map(|(f, (t, factor))| f + t / factor)
+                .zip(turned.iter().zip(scale))
+                .map(|(f, (t, scale))| f + t / scale)
                 .collect()
         }
         "accumulated_log" => {
-            let factors = fits::accumulation_factors(order);
-            a[0].iter()
-                .zip(factors)
-                .map(|(f, factor)| f * factor)
-                .collect()
+            let scale = (0..).map(data::accumulation_factor);
+            a[0].iter().zip(scale).map(|(f, scale)| f * scale).collect()
         }
         "ball_average" => {
             let (sin, cos) = (a[0][0], a[1][0]);
             let mean = |l: usize| match l {
                 0 => 1.0,
                 l => {
-                    let [p, q] = &fits::ball()[l - 1];
-                    1.0 + cos * (polynomial(p, cos) + sin * polynomial(q, cos))
+                    let [p, q] = ["P", "Q"].map(|name| data::BALL.row(&format!("{name} {l}")));
+                    1.0 + cos * (polynomial(&p, cos) + sin * polynomial(&q, cos))
                 }
             };
             let basis = reference::basis::basis(order, three(&a[2]));
@@ -178,7 +194,8 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
             let [a, b, d] = [a[0][0], a[1][0], a[2][0]];
             let (small, large) = (a.min(b), a.max(b));
             let t = ((a + b - d) / (2.0 * small)).clamp(0.0, 1.0);
-            let [first, second] = fits::lens().map(|c| polynomial(&c, small / large));
+            let [first, second] =
+                ["1", "2"].map(|power| polynomial(&data::LENS.row(power), small / large));
             let f = t * (first + t * (second + t * (1.0 - first - second)));
             vec![f.max(0.0) * (b / a).powi(2).min(1.0)]
         }
@@ -187,22 +204,26 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
             // A sphere that touches from above, seen from where it does, is as any next to it.
             let u = (0.5 + 0.5 * a[0][0]).clamp(0.0, 1.0 - f64::from(f32::EPSILON));
             let (rest, x) = (1.0 - u, a[1][0].min(1.0));
-            let (polynomials, [a, b, c]) = fits::horizon();
-            let [low, middle, high] = polynomials.map(|p| polynomial(&p, u));
+            let [low, middle, high] =
+                ["0", "1", "2"].map(|power| polynomial(&data::HORIZON.row(power), u));
+            let divisor = data::HORIZON.row("divisor");
+            let [a, b, c] = divisor[..].try_into().expect("three numbers");
             let sum = low + x * middle + x * x * high;
             let below = (1.0 - x) * (1.0 + a * u) + rest * (b + c * u);
             vec![(u * (1.0 + rest * sum / below)).max(0.0)]
         }
         "exp_saturating" => saturating(order, &a[0]),
-        "exp_sampled" => pointwise(order, Fineness::Medium, &a[0], clamped),
-        "exp_sampled_coarse" => pointwise(order, Fineness::Coarse, &a[0], clamped),
-        "exp_sampled_fine" => pointwise(order, Fineness::Fine, &a[0], clamped),
-        "optimal_linear" => fits::optimal_linear_coefficients(order)
+        "exp_sampled" => pointwise(order, MEDIUM, &a[0], clamped),
+        "exp_sampled_coarse" => pointwise(order, 0, &a[0], clamped),
+        "exp_sampled_fine" => pointwise(order, 2, &a[0], clamped),
+        "optimal_linear" => data::OPTIMAL_LINEAR
+            .rows(&format!("small {order}"))
             .iter()
             .map(|c| polynomial(c, a[0][0]))
             .collect(),
         "optimal_linear_wide" => {
-            let (range, polynomials) = fits::optimal_linear_wide(order);
+            let range = data::OPTIMAL_LINEAR.row(&format!("range {order}"))[0];
+            let polynomials = data::OPTIMAL_LINEAR.rows(&format!("wide {order}"));
             let x = a[0][0].min(range) / range;
             polynomials.iter().map(|c| polynomial(c, x)).collect()
         }

@@ -1,5 +1,5 @@
-//! What the default exponential promises over the standard random sets of blockers, and that no published method
-//! has both less error and fewer operations.
+//! What the default exponential promises over the standard random sets of blockers, and that from order 3 on no published
+//! method has both less error and fewer operations.
 
 use gaunt_lab::accuracy::Row;
 use std::sync::LazyLock;
@@ -43,19 +43,40 @@ fn errors_are_those_promised() {
     }
 }
 
-#[test]
-fn no_published_method_is_cheaper_and_more_accurate() {
+/// Published methods that are cheaper and more accurate in the mean than the default.
+fn better(order: usize) -> Vec<&'static Row> {
     let operations = |row: &Row| row.mul + row.add + row.exp;
+    let ours = default(order);
+    let published = of(order)
+        .filter(|row| row.exponential != "saturating" && !row.exponential.starts_with("sampled"));
+    let is_better = |row: &&Row| row.mean < ours.mean && operations(row) < operations(ours);
+    published.filter(is_better).collect()
+}
+
+#[test]
+fn no_published_method_is_cheaper_and_more_accurate_from_order_3_on() {
     for order in 3..=6 {
-        let ours = default(order);
-        for row in of(order).filter(|row| {
-            row.exponential != "saturating" && !row.exponential.starts_with("sampled")
-        }) {
-            assert!(
-                row.mean >= ours.mean || operations(row) >= operations(ours),
-                "{row:?}\nis cheaper and more accurate than\n{ours:?}"
-            );
-        }
+        let better = better(order);
+        assert!(
+            better.is_empty(),
+            "{better:?}\nare cheaper and more accurate than\n{:?}",
+            default(order)
+        );
+    }
+}
+
+/// At order 2 one is: multiplying visibilities with each other, without a logarithm, errs by a thirtieth less. But it errs by
+/// more than twice as much in heavy sets, and has no bound where blockers lie on each other.
+#[test]
+fn at_order_2_products_are_better_but_for_many_blockers() {
+    let ours = default(2);
+    let better = better(2);
+    let names: Vec<_> = better.iter().map(|row| row.exponential).collect();
+    assert_eq!(names, ["product chain"]);
+    for row in better {
+        println!("{row:?}\n{ours:?}");
+        assert!(row.mean > 0.95 * ours.mean, "{row:?}");
+        assert!(row.heavy > 2.0 * ours.heavy && row.stacked > 1e6, "{row:?}");
     }
 }
 

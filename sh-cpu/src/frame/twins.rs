@@ -148,7 +148,10 @@ static TWINS: [Twin; 9] = [
         },
         memory: |store, at| {
             let rest = room(&store.sets.rest.receivers);
-            vec![radiance(store, at), ("receivers of the rest of a band", rest)]
+            vec![
+                radiance(store, at),
+                ("receivers of the rest of a band", rest),
+            ]
         },
     },
     Twin {

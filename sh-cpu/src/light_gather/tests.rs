@@ -105,11 +105,30 @@ impl Bright {
         sum
     }
 
+    /// What bodies give where none hides another.
+    fn apart(&self, receivers: &[Receiver]) -> Vec<[f32; 3]> {
+        let mut sum = vec![[0.0; 3]; receivers.len()];
+        let mut rest = &self.spheres[..];
+        for &(count, color) in &self.bodies {
+            let (own, others) = rest.split_at(count);
+            rest = others;
+            let alone = Self::new(&[(own.to_vec(), color)], 4).at(Blocking::Discs, receivers);
+            for (sum, alone) in sum.iter_mut().flatten().zip(alone.iter().flatten()) {
+                *sum += alone;
+            }
+        }
+        sum
+    }
+
     /// Root of the mean square of the error over receivers and channels.
     fn error(&self, blocking: Blocking, receivers: &[Receiver]) -> f32 {
-        let found = self.at(blocking, receivers);
+        self.error_of(&self.at(blocking, receivers), receivers)
+    }
+
+    /// The same of what was found in another way.
+    fn error_of(&self, found: &[[f32; 3]], receivers: &[Receiver]) -> f32 {
         let mut sum = 0.0;
-        for (receiver, found) in receivers.iter().zip(&found) {
+        for (receiver, found) in receivers.iter().zip(found) {
             for (found, true_one) in found.iter().zip(self.truth(receiver)) {
                 sum += (found - true_one).powi(2);
             }
@@ -282,15 +301,24 @@ fn bars_that_lie_on_each_other_in_a_circle() {
     compare(&bars);
 }
 
-/// By spheres it is nearer the truth than by bodies, and what is summed up for several changes nothing.
+/// Discs are nearer the truth than sums, and both than bodies that do not hide each other; sums by bodies are no nearer than
+/// those by spheres, and what is summed up for several changes nothing.
 fn compare(bodies: &[(Vec<Sphere>, [f32; 3])]) {
     let bright = Bright::new(bodies, 4);
     let receivers = floor(12, 2.0);
     let error = |blocking| bright.error(blocking, &receivers);
     let [discs, sums, object] = [Blocking::Discs, Blocking::Runs, Blocking::Object].map(error);
-    println!("error of discs {discs}, of sums by spheres {sums}, by bodies {object}");
-    assert!(sums < 0.03 && sums < object, "{sums} {object}");
-    assert!(discs < 0.03, "{discs}");
+    let apart = bright.error_of(&bright.apart(&receivers), &receivers);
+    println!("error of discs {discs}, sums {sums}, by bodies {object}, of none {apart}");
+    // Of functions of order 4, whose own error is most of it, a wrong order of bodies that overlap little is hardly seen.
+    assert!(
+        sums < 0.8 * apart && sums < object + 1e-5,
+        "{sums} {object} {apart}"
+    );
+    assert!(
+        discs < 0.45 * apart && discs < 0.6 * sums,
+        "{discs} {sums} {apart}"
+    );
     let [runs, sphere] =
         [Blocking::Runs, Blocking::Sphere].map(|blocking| bright.at(blocking, &receivers));
     for (runs, sphere) in runs.iter().flatten().zip(sphere.iter().flatten()) {
@@ -338,12 +366,21 @@ fn a_hundred_bodies_are_bounded_and_near_the_truth() {
             [away * cos, 0.5 + 0.03 * i as f32, away * sin, 0.25]
         })
         .collect();
-    let bright = Bright::balls(&spheres, 4);
     let receivers = floor(10, 4.0);
+    for count in [2, 5, 10, 30, 100] {
+        let bright = Bright::balls(&spheres[..count], 4);
+        let error = |blocking| bright.error(blocking, &receivers);
+        let [discs, sums] = [Blocking::Discs, Blocking::Runs].map(error);
+        let apart = bright.error_of(&bright.apart(&receivers), &receivers);
+        println!("{count} balls: discs {discs}, sums {sums}, hiding nothing {apart}");
+        assert!(discs < 0.25 * apart, "{count}: {discs} of {apart}");
+        assert!(discs < sums / 12.0, "{count}: {discs} of {sums}");
+    }
+    let bright = Bright::balls(&spheres, 4);
     let found = bright.at(Blocking::Discs, &receivers);
     assert!(found.iter().flatten().all(|r| (0.0..=1.0).contains(r)));
     let error = bright.error(Blocking::Discs, &receivers);
-    assert!(error < 0.01, "{error}");
+    assert!(error < 0.002, "{error}");
 }
 
 #[test]

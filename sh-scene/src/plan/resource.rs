@@ -124,9 +124,14 @@ pub const RECEIVERS: Resource = of_receivers("receivers", "position and normal")
 /// Linear Rec.709 reflectance of each receiver.
 pub const ALBEDO: Resource = of_receivers("albedo", "linear Rec.709 reflectance");
 
-/// Radiance that albedo 1 would reflect at each receiver; at half resolution, once `shares` has run, the share that it is
-/// of that without blockers.
+/// Radiance that albedo 1 would reflect at each receiver.
 pub const RADIANCE: Resource = of_receivers("radiance", "linear Rec.709 radiance");
+
+/// The share of its light that each receiver gets through the blockers; in the memory of its radiance.
+pub const SHARE: Resource = of_receivers("share", "share of a channel");
+
+/// Radiance of samples, where half resolution does for it; in the memory of their radiance.
+pub const UPSAMPLED: Resource = of_receivers("upsampled radiance", "linear Rec.709 radiance");
 
 /// What spheres send to each receiver, where it is kept apart from other light.
 pub const SENT: Resource = of_receivers("sent", "linear Rec.709 radiance");

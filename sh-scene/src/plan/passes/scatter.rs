@@ -1,7 +1,7 @@
 //! The light of samples that half resolution does not do for, back to where they are.
 
 use super::upsample;
-use crate::plan::resource::{RADIANCE, RECEIVERS};
+use crate::plan::resource::{RADIANCE, RECEIVERS, UPSAMPLED};
 use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
 
 /// Light of the rest, to its samples.
@@ -11,7 +11,8 @@ pub static SCATTER: Pass = Pass {
         vec![
             Slot::read(RECEIVERS),
             Slot::read(RADIANCE),
-            Slot::modify(RADIANCE).of(Domain::Samples),
+            Slot::read(UPSAMPLED).of(Domain::Samples),
+            Slot::write(RADIANCE).of(Domain::Samples),
         ]
     },
     wanted: |facts| {

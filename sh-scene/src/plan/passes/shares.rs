@@ -1,7 +1,7 @@
 //! Radiance at half resolution to the share that it is of that without blockers.
 
 use super::upsample;
-use crate::plan::resource::{LIGHT, RADIANCE, RECEIVERS};
+use crate::plan::resource::{LIGHT, RADIANCE, RECEIVERS, SHARE};
 use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
 
 /// Shares of light: what is interpolated, as they change less from pixel to pixel than light itself.
@@ -11,7 +11,8 @@ pub static SHARES: Pass = Pass {
         vec![
             Slot::read(RECEIVERS),
             Slot::read(LIGHT),
-            Slot::modify(RADIANCE),
+            Slot::read(RADIANCE),
+            Slot::write(SHARE),
         ]
     },
     wanted: |facts| {

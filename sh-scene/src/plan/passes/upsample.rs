@@ -1,6 +1,6 @@
 //! Light at half resolution to samples, by a joint bilateral filter, and the list of those that it does not do for.
 
-use crate::plan::resource::{LIGHT, RADIANCE, RECEIVERS, SENT};
+use crate::plan::resource::{LIGHT, RECEIVERS, SENT, SHARE, UPSAMPLED};
 use crate::plan::{Cost, Domain, Entry, Facts, Orders, Pass, Run, Slot};
 
 /// Light of samples from that of their surface at half resolution.
@@ -9,11 +9,11 @@ pub static UPSAMPLE: Pass = Pass {
     slots: |_| {
         vec![
             Slot::read(RECEIVERS).of(Domain::Halves),
-            Slot::read(RADIANCE).of(Domain::Halves),
+            Slot::read(SHARE).of(Domain::Halves),
             Slot::read_if_any(SENT).of(Domain::Halves),
             Slot::read(RECEIVERS),
             Slot::read(LIGHT),
-            Slot::write(RADIANCE),
+            Slot::write(UPSAMPLED),
             Slot::write(RECEIVERS).of(Domain::Rest),
         ]
     },
