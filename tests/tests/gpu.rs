@@ -200,7 +200,7 @@ fn check_extremes(bench: &Bench, routine: &Routine) -> Result<(), Failed> {
                 }
             }
             if replaced.is_none() {
-                enlarge(routine, &mut arguments);
+                enlarge(routine, &mut arguments, promised(routine).largest);
             }
             cases.push(arguments);
         }

@@ -71,7 +71,7 @@ fn no_published_method_is_cheaper_and_more_accurate_from_order_3_on() {
 fn at_order_2_products_are_better_but_for_many_blockers() {
     let ours = default(2);
     let better = better(2);
-    let names: Vec<_> = better.iter().map(|row| row.exponential).collect();
+    let names: Vec<_> = better.iter().map(|row| row.exponential.as_str()).collect();
     assert_eq!(names, ["product chain"]);
     for row in better {
         println!("{row:?}\n{ours:?}");

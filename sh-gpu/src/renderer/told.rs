@@ -4,7 +4,7 @@ use super::Renderer;
 use crate::stages::{Stage, Work};
 use crate::{Bands, Pipelines};
 use sh_scene::passes::{LIGHT_GATHER, SHADOW, UPSAMPLE};
-use sh_scene::resource::{ALBEDO, PICTURE, RADIANCE, RECEIVERS, SENT};
+use sh_scene::resource::{ALBEDO, PICTURE, RADIANCE, RECEIVERS, SENT, UPSAMPLED};
 use sh_scene::{Domain, Pass};
 use std::sync::atomic::Ordering;
 
@@ -60,7 +60,11 @@ impl Renderer {
                 "half_sent" => (SENT, Domain::Halves),
                 _ => (PICTURE, Domain::Pixels),
             };
-            (name, self.plan.maker(resource, domain), bytes)
+            let first = match resource == RADIANCE {
+                true => self.plan.maker(UPSAMPLED, domain),
+                false => None,
+            };
+            (name, first.or(self.plan.maker(resource, domain)), bytes)
         });
         let halves = self.halves.as_ref().map_or(0, Bands::bytes);
         let own = [
