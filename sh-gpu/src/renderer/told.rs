@@ -4,7 +4,6 @@ use super::Renderer;
 use crate::stages::Stage;
 use crate::{Bands, LightGatherPass, Pipelines, ShadowPass};
 use sh_scene::PassKind;
-use std::sync::atomic::Ordering;
 
 impl Renderer {
     /// What light that is sent on depends on, in bytes that have been uploaded.
@@ -50,9 +49,9 @@ impl Renderer {
     }
 
     /// How many dispatches and draws [`record`](Self::record) would record now for each pass of the plan, in its order:
-    /// none for [`PassKind::LightUpdate`] where nothing has changed since it was recorded.
+    /// none for [`PassKind::LightUpdate`] where nothing has changed since it was submitted.
     pub fn dispatches(&self) -> Vec<usize> {
-        let sent = self.sent.load(Ordering::Relaxed);
+        let sent = self.sent.is_current();
         let of = |stage: &Stage| match stage.kind == PassKind::LightUpdate && sent {
             true => 0,
             false => stage.dispatches(self.drawn),
