@@ -89,7 +89,7 @@ fn the_truth_is_near_what_the_passes_render() {
         all.len()
     );
     assert!(much.len() > 200 && bounce > 0.2, "{} {bounce}", much.len());
-    // Without indirect light that would be 0 of it, and a sixth of all would be missing.
+    // Without indirect light that would be 0 of it, and a fifth of all would be missing.
     assert!((found / bounce - 1.0).abs() < 0.25, "{found} of {bounce}");
     assert!((whole - 1.0).abs() < 0.12, "{whole}");
     // The same once more, and darker where bodies do not reflect.
