@@ -10723,8 +10723,10 @@ fn sh6_ball_average(sine: f32, cosine: f32, d: vec3<f32>) -> array<f32, 36> {
 // Which part of a disc in the sky of angular radius `a` another of radius `b` covers whose middle is at the distance
 // `d`; radians, radii up to pi/2.
 //
-// The share of flat discs, fitted to 0.016; for those on a sphere angles stand for lengths. 0 for discs that do not
-// touch, 1 for one that is covered, and nothing between is below or above.
+// The share of flat discs, fitted to 0.016, with angles for lengths; of those on a sphere it errs by 0.0165 for radii
+// up to 20 degrees, 0.0205 up to 40 degrees, 0.045 up to 60 degrees, 0.087 up to 80 degrees and 0.12 up to 90 degrees,
+// most where two of one size overlap by half. 0 for discs that do not touch, 1 for one that is covered, and nothing
+// between is below or above.
 // Source: The lens of two circles, fitted in place of its inverse cosines; `gaunt-lab fit` rewrites the coefficients.
 // 16 multiplications, 15 additions.
 fn sh6_disc_covered(a: f32, b: f32, d: f32) -> f32 {

@@ -1,12 +1,13 @@
 //! Scene files: TOML, as the crate's documentation shows.
 
+mod sections;
+
 use crate::error::{Error, read};
 use crate::keys::{Section, Source};
 use crate::lights::LightEntry;
 use crate::objects::ObjectEntry;
 use crate::{indirect, lights};
-use glam::Vec3;
-use sh_scene::{Camera, Limits, Settings};
+use sh_scene::Settings;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::de::{DeTable, DeValue};
@@ -81,28 +82,10 @@ impl SceneFile {
         ];
         let root_section = Section::new(source, "", span.clone(), root, &top)?;
 
-        let mut scene = Self::default();
-        let entries = match root.get("objects").map(|v| (v.span(), v.get_ref())) {
-            None => {
-                return Err(
-                    root_section.error("objects", "is missing: a scene needs an [[objects]].")
-                );
-            }
-            Some((_, DeValue::Array(array))) => array,
-            Some((span, _)) => {
-                let message = "objects has to be a list of tables, each headed [[objects]].";
-                return Err(source.error(&span, message));
-            }
+        let mut scene = Self {
+            objects: objects(&root_section, source, root)?,
+            ..Self::default()
         };
-        for entry in entries.iter() {
-            let table = table(source, "objects", entry.span(), entry.get_ref())?;
-            scene
-                .objects
-                .push(ObjectEntry::read(source, entry.span(), table)?);
-        }
-        if scene.objects.is_empty() {
-            return Err(root_section.error("objects", "is empty: a scene needs an [[objects]]."));
-        }
         scene.lights = lights::read(&root_section, path, &scene.objects)?;
         let section = |name: &'static str, known: &[&str]| match root.get(name) {
             None => Ok(None),
@@ -111,87 +94,51 @@ impl SceneFile {
                 Section::new(source, name, value.span(), table, known).map(Some)
             }
         };
-        if let Some(s) = section("environment", &["map", "rotation", "turn", "intensity"])? {
-            scene.map = s.string("map")?.map(|map| beside(path, map));
-            let rotation = s.number("rotation", "of degrees", |n| n.abs() < FAR)?;
-            scene.rotation = rotation.unwrap_or(0.0).to_radians();
-            let turn = s.number("turn", "of degrees a second", |n| n.abs() < FAR)?;
-            scene.turn = turn.unwrap_or(0.0);
-            scene.intensity = s
-                .number("intensity", "from 0 to 1e6", |n| (0.0..=1e6).contains(&n))?
-                .unwrap_or(1.0);
+        if let Some(s) = section("environment", &sections::ENVIRONMENT)? {
+            scene.read_environment(&s, path)?;
         }
-        if let Some(s) = section("ground", &["height", "albedo", "enabled"])? {
-            scene.ground = s.boolean("enabled")?.unwrap_or(true);
-            scene.ground_height = s.number("height", "of metres", |n| n.abs() < FAR)?;
-            scene.ground_albedo = albedo(&s)?.unwrap_or(scene.ground_albedo);
+        if let Some(s) = section("ground", &sections::GROUND)? {
+            scene.read_ground(&s)?;
         }
         if let Some(s) = section("indirect", &indirect::KEYS)? {
             scene.settings.indirect = Some(indirect::read(&s)?);
         }
-        if let Some(s) = section("camera", &["eye", "target", "fov"])? {
-            scene.eye = s.triple("eye", "of metres", false, |n| n.abs() < FAR)?;
-            scene.target = s.triple("target", "of metres", false, |n| n.abs() < FAR)?;
-            let fov = s.number("fov", "of degrees from 1 to 170", |n| {
-                (1.0..=170.0).contains(&n)
-            })?;
-            scene.fov = fov.map(f32::to_radians);
-            if let (Some(eye), Some(target)) = (scene.eye, scene.target) {
-                let target = Vec3::from(target);
-                if Vec3::from(eye).distance(target) < Camera::nearest(target) {
-                    return Err(s.error(
-                        "target",
-                        "is the same point as camera.eye, as far as single precision can tell, so there is \
-                         nowhere to look.",
-                    ));
-                }
-            }
+        if let Some(s) = section("camera", &sections::CAMERA)? {
+            scene.read_camera(&s)?;
         }
-        let known = [
-            "order",
-            "accumulation_order",
-            "window",
-            "shadows",
-            "half_resolution",
-            "blocker_angle",
-        ];
-        if let Some(s) = section("settings", &known)? {
-            let settings = &mut scene.settings;
-            if let Some(order) = s.count("order", 2..=6)? {
-                *settings = settings.with_order(order);
-            }
-            if let Some(accumulation) = s.count("accumulation_order", 2..=6)? {
-                if accumulation < settings.order {
-                    let order = settings.order;
-                    let message = format!(
-                        "is {accumulation}, but it has to be a whole number from the order, {order}, to 6."
-                    );
-                    return Err(s.error("accumulation_order", message));
-                }
-                settings.accumulation = accumulation;
-            }
-            if let Some(window) = s.number("window", "above 0", |n| n > 0.0)? {
-                settings.window = Some(window);
-            }
-            settings.shadows = s.boolean("shadows")?.unwrap_or(true);
-            let half = s.boolean("half_resolution")?;
-            settings.half_resolution = half.unwrap_or(settings.half_resolution);
-            // Beyond 30° a node's logarithm is no measure for that of its leaves.
-            let angle = s.number("blocker_angle", "of degrees from 0 to 30", |n| {
-                (0.0..=30.0).contains(&n)
-            })?;
-            if let Some(angle) = angle {
-                settings.limits = match angle {
-                    0.0 => Limits::LEAVES,
-                    angle => Limits {
-                        sin_max: angle.to_radians().sin(),
-                        ..settings.limits
-                    },
-                };
-            }
+        if let Some(s) = section("settings", &sections::SETTINGS)? {
+            scene.read_settings(&s)?;
         }
         Ok(scene)
     }
+}
+
+/// The objects, of which there has to be one.
+fn objects(
+    root_section: &Section,
+    source: Source,
+    root: &DeTable,
+) -> Result<Vec<ObjectEntry>, Error> {
+    let entries = match root.get("objects").map(|v| (v.span(), v.get_ref())) {
+        None => {
+            let message = "is missing: a scene needs an [[objects]].";
+            return Err(root_section.error("objects", message));
+        }
+        Some((_, DeValue::Array(array))) => array,
+        Some((span, _)) => {
+            let message = "objects has to be a list of tables, each headed [[objects]].";
+            return Err(source.error(&span, message));
+        }
+    };
+    let mut objects = Vec::new();
+    for entry in entries.iter() {
+        let table = table(source, "objects", entry.span(), entry.get_ref())?;
+        objects.push(ObjectEntry::read(source, entry.span(), table)?);
+    }
+    if objects.is_empty() {
+        return Err(root_section.error("objects", "is empty: a scene needs an [[objects]]."));
+    }
+    Ok(objects)
 }
 
 impl Default for SceneFile {

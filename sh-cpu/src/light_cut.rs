@@ -22,11 +22,15 @@
 //! paper's per-object blocking; only within a run pairs have to be looked at one by one, as in its per-sphere
 //! blocking. Bodies apart are runs of their own, or several; bodies that interlock share one.
 
+mod gain;
+mod pairs;
+
 use crate::cut::{CutOptions, Cuts};
 use crate::{Path, SphericalLights};
+use gain::gain;
 use glam::Vec3;
+use pairs::{by_bodies, by_spheres, joint, power};
 use rayon::prelude::*;
-use sh_scene::order::{SHARPEST, swap_width};
 use sh_scene::{Blocker, Blocking, Bounds, Forest, Receiver};
 use std::ops::Range;
 
@@ -189,6 +193,26 @@ impl LightCut {
             return;
         };
         let discs = blocking == Blocking::Discs;
+        self.meet(bounds, (cuts, cluster), forest, lights, discs);
+        self.spheres
+            .sort_unstable_by(|a, b| a.power.total_cmp(&b.power).then(a.node.cmp(&b.node)));
+        if discs {
+            self.find_hiders(bounds, lights);
+        } else {
+            self.compare(bounds, forest, lights, blocking);
+            self.find_runs(blocking);
+        }
+    }
+
+    /// The spheres of a cluster's cut, in any order.
+    fn meet(
+        &mut self,
+        bounds: &Bounds,
+        (cuts, cluster): (&Cuts, usize),
+        forest: &Forest,
+        lights: &SphericalLights,
+        discs: bool,
+    ) {
         let blockers = cuts.of(cluster);
         let [front, across] = cuts.nodes_of(cluster);
         for (blockers, nodes, in_front) in [
@@ -212,23 +236,22 @@ impl LightCut {
                 });
             }
         }
-        self.spheres
-            .sort_unstable_by(|a, b| a.power.total_cmp(&b.power).then(a.node.cmp(&b.node)));
-        if discs {
-            self.find_hiders(bounds, lights);
-            return;
-        }
+    }
+
+    /// How much each sphere hides of each other.
+    fn compare(
+        &mut self,
+        bounds: &Bounds,
+        forest: &Forest,
+        lights: &SphericalLights,
+        blocking: Blocking,
+    ) {
         let Self {
-            spheres,
-            before,
-            runs,
-            ..
+            spheres, before, ..
         } = self;
         let count = spheres.len();
         before.resize(count * count, NEVER);
-        // The first sphere that shares a run with one from j on, and where the run of those ends.
-        let (mut first, mut end) = (count, count);
-        for j in (0..count).rev() {
+        for j in 0..count {
             for i in 0..j {
                 let pair = [&spheres[i], &spheres[j]];
                 let hidden = match blocking {
@@ -237,16 +260,28 @@ impl LightCut {
                     _ => by_spheres(pair, bounds.radius),
                 };
                 [before[j * count + i], before[i * count + j]] = hidden;
-                if hidden[0] != ALWAYS || blocking == Blocking::Sphere {
-                    first = first.min(i);
-                }
-            }
-            if first >= j {
-                runs.push(j..end);
-                (first, end) = (j, j);
             }
         }
-        runs.reverse();
+    }
+
+    /// A run ends where no sphere of it shares one with a later: where each hides from all receivers what it can of all
+    /// that follow. By spheres there is one run of all.
+    fn find_runs(&mut self, blocking: Blocking) {
+        let count = self.spheres.len();
+        let settled = |i: usize, j: usize| {
+            blocking != Blocking::Sphere && self.before[j * count + i] == ALWAYS
+        };
+        let mut start = 0;
+        // The last sphere that is known to be in the run.
+        let mut last = 0;
+        for i in 0..count {
+            let sharing = (last.max(i) + 1..count).rfind(|&j| !settled(i, j));
+            last = sharing.unwrap_or(last.max(i));
+            if last == i {
+                self.runs.push(start..i + 1);
+                start = i + 1;
+            }
+        }
     }
 
     /// For each sphere those that may cover a part of it for a receiver of the cluster: with radii larger by that of the
@@ -298,115 +333,5 @@ impl LightCut {
             }
             spheres[i].hiders_end = hiders.len() as u32;
         }
-    }
-}
-
-/// No node gives so many times what its mean radiance says.
-const MOST_GAIN: f32 = 4.0;
-
-/// The reflection ratio of a node whose disc has this radius: what the spheres below it give to `from`, each by the square
-/// of its disc's sine and as much of it as its body leaves to be seen from there, over what the node gives in their place. 1 for
-/// a sphere, and where there is nothing to be brought to anything.
-fn gain(from: Vec3, at: usize, radius: f32, forest: &Forest, lights: &SphericalLights) -> [f32; 3] {
-    let node = &forest.nodes()[at];
-    if node.is_leaf(at) || !lights.shines(at as u32) {
-        return [1.0; 3];
-    }
-    let given = |at: usize, radius: f32| {
-        let to = Vec3::from(forest.nodes()[at].center) - from;
-        let square = to.length_squared();
-        let sine = (radius * radius / square.max(f32::MIN_POSITIVE))
-            .min(1.0)
-            .sqrt();
-        let radiance = lights.radiance(at as u32, sine, -to / square.sqrt());
-        radiance.map(|c| sine * sine * c)
-    };
-    let mut sum = [0.0; 3];
-    for (at, leaf) in forest
-        .nodes()
-        .iter()
-        .enumerate()
-        .take(node.skip as usize)
-        .skip(at + 1)
-    {
-        if leaf.is_leaf(at) {
-            let towards = from - Vec3::from(leaf.center);
-            let exposed = lights.exposed(at as u32, towards.normalize_or(Vec3::Y));
-            for (sum, given) in sum.iter_mut().zip(given(at, leaf.radius)) {
-                *sum += exposed * given;
-            }
-        }
-    }
-    let own = given(at, radius);
-    std::array::from_fn(|c| {
-        if own[c] > 0.0 && sum[c] > 0.0 {
-            (sum[c] / own[c]).min(MOST_GAIN)
-        } else {
-            1.0
-        }
-    })
-}
-
-/// The power of a point against a sphere: the square of a tangent's length.
-fn power(from: Vec3, center: Vec3, radius: f32) -> f32 {
-    center.distance_squared(from) - radius * radius
-}
-
-/// Whether two are spheres of one body that intersect.
-fn joint(pair: [&Met; 2], lights: &SphericalLights) -> bool {
-    let [a, b] = pair.map(|met| lights.body(met.node));
-    let [p, q] = pair.map(|met| met.blocker);
-    let reach = p.radius + q.radius;
-    a == b && a.is_some() && Vec3::from(p.center).distance_squared(q.center.into()) < reach * reach
-}
-
-/// What the nearer of a pair hides of the other, and the other of it, for receivers within `radius`.
-fn by_spheres([near, far]: [&Met; 2], radius: f32) -> [f32; 2] {
-    let centers = [near, far].map(|met| Vec3::from(met.blocker.center));
-    let [a, b] = [near.blocker.radius, far.blocker.radius];
-    // Twice the distance of the cluster's centre from the plane of equal power, times that of the centres.
-    let difference = far.power - near.power;
-    let smaller = a.min(b);
-    let square = centers[0].distance_squared(centers[1]);
-    // Most pairs are far apart, and need no root.
-    let reach = 2.0 * (radius + SHARPEST * smaller);
-    if square >= (a + b) * (a + b) && difference * difference >= square * reach * reach {
-        return [ALWAYS, NEVER];
-    }
-    let distance = square.sqrt();
-    let width = swap_width(a, b, distance);
-    let twice = 2.0 * distance;
-    if difference >= twice * (radius + width) {
-        return [ALWAYS, NEVER];
-    }
-    let slope = 1.0 / (2.0 * width * twice).max(f32::MIN_POSITIVE);
-    [slope.min(f32::MAX); 2]
-}
-
-/// The same by the power of whole bodies: the nearer body hides all of the other.
-fn by_bodies(
-    [near, far]: [&Met; 2],
-    center: Vec3,
-    forest: &Forest,
-    lights: &SphericalLights,
-) -> [f32; 2] {
-    let [a, b] = [near, far].map(|met| lights.body(met.node));
-    let (Some(a), Some(b)) = (a, b) else {
-        return [ALWAYS, NEVER];
-    };
-    if a == b {
-        let joint = joint([near, far], lights);
-        return if joint { [NEVER; 2] } else { [ALWAYS, NEVER] };
-    }
-    let whole = |body: u32| {
-        let node = &forest.nodes()[lights.root(body) as usize];
-        (power(center, node.center.into(), node.radius), body)
-    };
-    let (first, second) = (whole(a), whole(b));
-    let in_order = first.0 < second.0 || first.0 == second.0 && first.1 < second.1;
-    if in_order {
-        [ALWAYS, NEVER]
-    } else {
-        [NEVER, ALWAYS]
     }
 }

@@ -10,14 +10,16 @@
 //!
 //! With several bounces the light that spheres send on is gathered at the points as well, once a bounce.
 
+mod emit;
+
 use crate::irradiance::reflected;
 use crate::light_cut::{LightCutOptions, LightCuts};
 use crate::light_gather::{LightGather, light_gather};
 use crate::shadow::{Shadow, shadow_clusters};
 use crate::{CutOptions, Cuts, Error, Path};
 use glam::{Affine3A, Quat, Vec3};
-use sh_core::{ROOT_FOUR_PI, Routines};
-use sh_scene::surface::{DIRECTIONS, SurfaceSamples, cell_sums};
+use sh_core::Routines;
+use sh_scene::surface::SurfaceSamples;
 use sh_scene::{Forest, Indirect, Light, Limits, Object, Receiver};
 use std::ops::Range;
 
@@ -232,6 +234,7 @@ impl SphericalLights {
     /// Bodies of so many spheres, each of one radiance in every direction; nodes above bodies have the brightest.
     #[cfg(test)]
     pub(crate) fn even(forest: &Forest, order: usize, bodies: &[(usize, [f32; 3])]) -> Self {
+        use sh_core::ROOT_FOUR_PI;
         let surface = SurfaceSamples::default();
         let body = |&(spheres, _): &(usize, [f32; 3])| Body {
             surface: &surface,
@@ -298,133 +301,6 @@ impl SphericalLights {
                 *root = at as u32;
             }
         }
-    }
-
-    /// Emission of all nodes from the points' radiance.
-    fn emit<'a>(
-        &mut self,
-        bodies: impl IntoIterator<Item = Body<'a>>,
-        forest: &Forest,
-        within_bodies: bool,
-    ) -> Result<(), Error> {
-        match self.order {
-            2 => self.emit_in::<4>(bodies, forest, within_bodies),
-            3 => self.emit_in::<9>(bodies, forest, within_bodies),
-            4 => self.emit_in::<16>(bodies, forest, within_bodies),
-            5 => self.emit_in::<25>(bodies, forest, within_bodies),
-            6 => self.emit_in::<36>(bodies, forest, within_bodies),
-            order => return Err(Error::Order { order }),
-        }
-        Ok(())
-    }
-
-    fn emit_in<'a, const C: usize>(
-        &mut self,
-        bodies: impl IntoIterator<Item = Body<'a>>,
-        forest: &Forest,
-        within_bodies: bool,
-    ) where
-        [f32; C]: Routines<f32>,
-    {
-        let nodes = forest.nodes();
-        let sums = cell_sums();
-        let Self {
-            emission,
-            brightest,
-            most,
-            leaves,
-            exposed,
-            points,
-            ..
-        } = self;
-        emission.clear();
-        emission.resize(nodes.len() * C, [0.0; 3]);
-        exposed.clear();
-        exposed.resize(nodes.len() * C, 0.0);
-        brightest.clear();
-        brightest.resize(nodes.len(), [0.0; 3]);
-        // Sphere by sphere, in object space first.
-        let mut next = leaves.iter();
-        let mut lit = points.direct.iter().zip(&points.indirect);
-        for body in bodies {
-            let turn = rotation(&body.transform);
-            for sphere in 0..body.spheres {
-                let mut vector = [[0.0; C]; 3];
-                let mut top = [0.0_f32; 3];
-                // What each of its points sends on.
-                let mut sent = [[0.0_f32; 3]; DIRECTIONS];
-                let points = body.surface.of(sphere).iter().zip(&mut lit);
-                for (i, (point, (direct, indirect))) in points.enumerate() {
-                    let reflected = point.reflectance(within_bodies);
-                    let of_point: [f32; 3] = std::array::from_fn(|k| {
-                        (reflected[k] * (direct[k] + indirect[k])).max(0.0)
-                    });
-                    for (top, sent) in top.iter_mut().zip(of_point) {
-                        *top = top.max(sent);
-                    }
-                    if let Some(sent) = sent.get_mut(i) {
-                        *sent = of_point;
-                    }
-                }
-                let stands = body.surface.stands(sphere, within_bodies);
-                for (cell, point) in sums.iter().zip(stands) {
-                    let Some(sent) = sent.get(usize::from(point)) else {
-                        continue;
-                    };
-                    for (vector, sent) in vector.iter_mut().zip(sent) {
-                        for (v, y) in vector.iter_mut().zip(cell) {
-                            *v += sent * y;
-                        }
-                    }
-                }
-                let own = body.surface.rotations.get(sphere);
-                let own = own.map_or(Quat::IDENTITY, |q| Quat::from_array(*q));
-                let turn = (turn * own).normalize().to_array();
-                let [red, green, blue] = vector.map(|v| v.rotate(turn));
-                let Some(node) = next.next().map(|&node| node as usize) else {
-                    continue;
-                };
-                let all = body.surface.exposed(sphere, within_bodies);
-                // Those of a lower order come first.
-                let seen: [f32; C] = std::array::from_fn(|i| all[i]);
-                exposed[node * C..][..C].copy_from_slice(&seen.rotate(turn));
-                brightest[node] = top;
-                for (i, out) in emission[node * C..][..C].iter_mut().enumerate() {
-                    *out = [red[i], green[i], blue[i]];
-                }
-            }
-        }
-        for (at, node) in nodes.iter().enumerate().rev() {
-            if node.is_leaf(at) {
-                continue;
-            }
-            let (above, below) = emission.split_at_mut((at + 1) * C);
-            let own = &mut above[at * C..];
-            let mut child = at + 1;
-            while child < node.skip as usize {
-                let share = if node.area > 0.0 {
-                    // In the mean over all directions.
-                    let seen = match nodes[child].is_leaf(child) {
-                        true => exposed[child * C] / ROOT_FOUR_PI as f32,
-                        false => 1.0,
-                    };
-                    nodes[child].area / node.area * seen
-                } else {
-                    0.0
-                };
-                for (own, from) in own.iter_mut().zip(&below[(child - at - 1) * C..][..C]) {
-                    for (own, from) in own.iter_mut().zip(from) {
-                        *own += share * from;
-                    }
-                }
-                let below = brightest[child];
-                for (most, c) in brightest[at].iter_mut().zip(below) {
-                    *most = most.max(c);
-                }
-                child = nodes[child].skip as usize;
-            }
-        }
-        *most = brightest.first().copied().unwrap_or_default();
     }
 }
 

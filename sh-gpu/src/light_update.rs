@@ -1,21 +1,18 @@
 //! The light update pass: what every sphere of a body sends on (Guerrero et al. 2008, section 5).
 
-use crate::lighting::{Lit, buffer, room};
-use crate::pipeline::{Kernel, buffer_entry};
+mod kernels;
+mod memory;
+
 use crate::records::Sender;
 use crate::scope::checked;
-use crate::slot::Slot;
 use crate::upload::{Kept, Known};
-use crate::{Bound, ClusterBinding, Error, LightGatherPass, ShadowPass};
+use crate::{Bound, Error, LightGatherPass, ShadowPass};
 use glam::{Affine3A, Mat4, Quat};
-use sh_kernels::Pass;
-use sh_scene::surface::{COEFFICIENTS, DIRECTIONS, SurfacePoint, SurfaceSamples, cell_sums};
+use kernels::Kernels;
+use memory::{Counts, Memory, of, whole};
+use sh_scene::surface::{COEFFICIENTS, DIRECTIONS, SurfacePoint, SurfaceSamples};
 use sh_scene::{Forest, Object, Receiver};
-use std::sync::Arc;
-use wgpu::{
-    BindGroup, BindGroupEntry, Buffer, BufferBindingType, BufferUsages, CommandEncoder,
-    ComputePassTimestampWrites, Device, Queue, ShaderStages,
-};
+use wgpu::{BindGroup, Buffer, CommandEncoder, ComputePassTimestampWrites, Device, Queue};
 
 /// A body whose spheres send light on.
 #[derive(Clone, Copy, Debug)]
@@ -57,19 +54,9 @@ impl<'a> From<&'a Object> for Shining<'a> {
 /// ```
 #[derive(Debug)]
 pub struct LightUpdatePass {
-    place: Arc<Kernel>,
-    project: Arc<Kernel>,
-    raise: Arc<Kernel>,
+    kernels: Kernels,
     group: BindGroup,
-    senders: Buffer,
-    points: Buffer,
-    stands: Buffer,
-    exposed: Buffer,
-    clusters: Buffer,
-    receivers: Buffer,
-    cells: Buffer,
-    /// Radiance of the points: by the shadow pass alone, and with what has been gathered, where that is asked for.
-    direct: Buffer,
+    memory: Memory,
     lit: Option<Lighted>,
     placed: Bound,
     shaded: Bound,
@@ -83,12 +70,30 @@ pub struct LightUpdatePass {
     known: [Known; 5],
 }
 
-/// The points' radiance with what has been gathered.
+/// The points' radiance with what has been gathered, for several bounces.
 #[derive(Debug)]
 struct Lighted {
     radiance: Buffer,
     gathered: Bound,
     projected: Bound,
+}
+
+impl Lighted {
+    fn new(
+        device: &Device,
+        kernels: &Kernels,
+        gather: &LightGatherPass,
+        memory: &Memory,
+        counts: Counts,
+    ) -> Result<Self, Error> {
+        let radiance = memory::lights(device, "gaunt surface light sent on", counts)?;
+        let (receivers, all) = (whole(&memory.receivers), memory.all_clusters(counts));
+        Ok(Self {
+            gathered: gather.bind_clusters(device, receivers, all, whole(&radiance))?,
+            projected: kernels.project(device, &radiance, counts.spheres as u64)?,
+            radiance,
+        })
+    }
 }
 
 /// What is uploaded, in memory that is kept.
@@ -105,34 +110,6 @@ struct Uploads {
     at: Vec<u32>,
 }
 
-/// What a pass was made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Counts {
-    spheres: usize,
-    points: usize,
-    /// Points of the sphere that has most.
-    largest: usize,
-}
-
-impl Counts {
-    fn of<'a>(bodies: impl IntoIterator<Item = Shining<'a>>) -> Self {
-        let mut counts = Self {
-            spheres: 0,
-            points: 0,
-            largest: 0,
-        };
-        for body in bodies {
-            counts.spheres += body.spheres;
-            for sphere in 0..body.spheres {
-                let points = body.surface.of(sphere).len();
-                counts.points += points;
-                counts.largest = counts.largest.max(points);
-            }
-        }
-        counts
-    }
-}
-
 impl LightUpdatePass {
     /// Makes the pipelines and uploads the bodies' surface points, for light that is sent on `bounces` times. The points
     /// are lit by `shadow`, with the light and the tree of blockers that it is prepared with, and from the second bounce
@@ -147,112 +124,33 @@ impl LightUpdatePass {
         bodies: impl IntoIterator<Item = Shining<'a>> + Clone,
         bounces: u32,
     ) -> Result<Self, Error> {
-        let entry = |binding, ty| buffer_entry(binding, ShaderStages::COMPUTE, ty, false);
-        let storage = |binding, read_only| entry(binding, BufferBindingType::Storage { read_only });
-        let [record, _] = Lit::layout(0);
-        let own = [
-            record,
-            storage(1, true),
-            storage(2, true),
-            storage(3, true),
-            storage(4, false),
-            storage(5, true),
-            storage(6, true),
-        ];
         checked(device, || {
-            let specialised = (Pass::LightUpdate, shadow.order(), shadow.order());
-            let kernel = |name, read_only| {
-                let groups = [&own[..], &[storage(0, read_only)]];
-                shadow.pipelines.kernel(specialised, name, groups)
-            };
-            let (place, project, raise) = (
-                kernel("place", false)?,
-                kernel("project", true)?,
-                kernel("raise", true)?,
-            );
-
+            let kernels = Kernels::new(shadow)?;
             let counts = Counts::of(bodies.clone());
-            let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
-            let make = |label, what, count: usize, size, usage| {
-                let room = room(device, what, number(count), size)?;
-                Ok::<_, Error>(buffer(device, label, room, usage | BufferUsages::STORAGE))
-            };
-            let (none, copied) = (BufferUsages::empty(), BufferUsages::COPY_SRC);
-            let (spheres, of_points) = (counts.spheres, counts.points);
-            let what = "room for surface points";
-            let senders = size_of::<Sender>();
-            let senders = make("gaunt senders", "room for spheres", spheres, senders, none)?;
-            let stride = size_of::<SurfacePoint>();
-            let points = make("gaunt surface points", what, of_points, stride, none)?;
-            let stride = size_of::<Receiver>();
-            let receivers = make("gaunt surface receivers", what, of_points, stride, none)?;
-            let stands = make("gaunt standing points", what, spheres, DIRECTIONS, none)?;
-            let size = COEFFICIENTS * size_of::<f32>();
-            let exposed = make("gaunt exposed spheres", what, spheres, size, none)?;
-            let clusters = make("gaunt surface clusters", what, spheres, 8, none)?;
-            let direct = make("gaunt surface light", what, of_points, 16, copied)?;
-            let sums = cell_sums();
-            let cells = make("gaunt cells", what, sums.len(), size_of_val(&sums[0]), none)?;
-            queue.write_buffer(&cells, 0, bytemuck::cast_slice(&sums[..]));
-
-            let [record, _] = shadow.lit.entries(0);
-            let rest = [
-                &senders,
-                &points,
-                &cells,
-                gather.emission(),
-                &stands,
-                &exposed,
-            ];
-            let rest = (1..).zip(rest).map(|(binding, buffer)| BindGroupEntry {
-                binding,
-                resource: buffer.as_entire_binding(),
-            });
-            let entries: Vec<_> = std::iter::once(record).chain(rest).collect();
-            let group = place.own(device, &entries);
-            let groups = spheres as u64;
-            let place_slots = [of(&receivers, "receivers", stride as u64)];
-            let placed = place.bind_groups(device, &place_slots, groups, 1)?;
-            let all = || ClusterBinding {
-                clusters: whole(&clusters),
-                largest: number(counts.largest).max(1),
-            };
-            let shaded = shadow.bind_clusters(device, whole(&receivers), all(), whole(&direct))?;
-            let project_of = |radiance: &Buffer| {
-                project.bind_groups(device, &[of(radiance, "radiance", 16)], groups, 1)
-            };
-            let projected = project_of(&direct)?;
+            let memory = Memory::new(device, queue, counts)?;
+            let group = memory.group(device, &kernels.place, shadow, gather);
+            let groups = counts.spheres as u64;
+            let place_slots = [of(
+                &memory.receivers,
+                "receivers",
+                size_of::<Receiver>() as u64,
+            )];
+            let placed = kernels.place.bind_groups(device, &place_slots, groups, 1)?;
+            let (receivers, direct) = (whole(&memory.receivers), whole(&memory.direct));
+            let shaded =
+                shadow.bind_clusters(device, receivers, memory.all_clusters(counts), direct)?;
+            let projected = kernels.project(device, &memory.direct, groups)?;
             let lit = match bounces {
                 0 | 1 => None,
-                _ => {
-                    let radiance = make("gaunt surface light sent on", what, of_points, 16, none)?;
-                    Some(Lighted {
-                        gathered: gather.bind_clusters(
-                            device,
-                            whole(&receivers),
-                            all(),
-                            whole(&radiance),
-                        )?,
-                        projected: project_of(&radiance)?,
-                        radiance,
-                    })
-                }
+                _ => Some(Lighted::new(device, &kernels, gather, &memory, counts)?),
             };
             let nodes = of(&shadow.nodes, "nodes", size_of::<sh_scene::Node>() as u64);
-            let raised = raise.bind_groups(device, &[nodes], gather.max_nodes().into(), 1)?;
+            let nodes_of = u64::from(gather.max_nodes());
+            let raised = kernels.raise.bind_groups(device, &[nodes], nodes_of, 1)?;
             let pass = Self {
-                place,
-                project,
-                raise,
+                kernels,
                 group,
-                senders,
-                points,
-                stands,
-                exposed,
-                clusters,
-                receivers,
-                cells,
-                direct,
+                memory,
                 lit,
                 placed,
                 shaded,
@@ -271,18 +169,8 @@ impl LightUpdatePass {
 
     /// Bytes of GPU memory that the pass owns.
     pub fn bytes(&self) -> u64 {
-        let own = [
-            &self.senders,
-            &self.points,
-            &self.stands,
-            &self.exposed,
-            &self.clusters,
-            &self.receivers,
-            &self.cells,
-            &self.direct,
-        ];
-        let lit = self.lit.as_ref().map(|lit| &lit.radiance);
-        own.into_iter().chain(lit).map(Buffer::size).sum()
+        let lit = self.lit.as_ref().map_or(0, |lit| lit.radiance.size());
+        self.memory.bytes() + lit
     }
 
     /// Bytes that have been uploaded since the pass was made.
@@ -328,10 +216,10 @@ impl LightUpdatePass {
                 }
             }
             let [points, stands, clusters, _, exposed] = &self.known;
-            points.write(queue, &self.points, &kept.points);
-            stands.write(queue, &self.stands, &kept.stands);
-            exposed.write(queue, &self.exposed, &kept.exposed);
-            clusters.write(queue, &self.clusters, &kept.clusters);
+            points.write(queue, &self.memory.points, &kept.points);
+            stands.write(queue, &self.memory.stands, &kept.stands);
+            exposed.write(queue, &self.memory.exposed, &kept.exposed);
+            clusters.write(queue, &self.memory.clusters, &kept.clusters);
         });
         Ok(())
     }
@@ -379,7 +267,7 @@ impl LightUpdatePass {
                     first += count;
                 }
             }
-            self.known[3].write(queue, &self.senders, senders);
+            self.known[3].write(queue, &self.memory.senders, senders);
         });
         Ok(())
     }
@@ -396,21 +284,25 @@ impl LightUpdatePass {
         let [begin, end] = first_and_last(timestamps);
         let own = (&self.group, &[][..]);
         let more = self.bounces.saturating_sub(1);
-        self.place.record(encoder, own, &self.placed, begin);
+        self.kernels.place.record(encoder, own, &self.placed, begin);
         shadow.record(encoder, &self.shaded, None);
-        self.project.record(encoder, own, &self.projected, None);
+        self.kernels
+            .project
+            .record(encoder, own, &self.projected, None);
         let end_of = |bounce: u32| end.clone().filter(|_| bounce == more);
-        self.raise.record(encoder, own, &self.raised, end_of(0));
+        let raise = &self.kernels.raise;
+        raise.record(encoder, own, &self.raised, end_of(0));
         let Some(lit) = &self.lit else {
             return;
         };
         for bounce in 1..=more {
-            let (from, to) = (&self.direct, &lit.radiance);
+            let (from, to) = (&self.memory.direct, &lit.radiance);
             encoder.copy_buffer_to_buffer(from, 0, to, 0, from.size());
             gather.record(encoder, &lit.gathered, None);
-            self.project.record(encoder, own, &lit.projected, None);
-            self.raise
-                .record(encoder, own, &self.raised, end_of(bounce));
+            self.kernels
+                .project
+                .record(encoder, own, &lit.projected, None);
+            raise.record(encoder, own, &self.raised, end_of(bounce));
         }
     }
 
@@ -426,15 +318,6 @@ impl LightUpdatePass {
         }
         Ok(())
     }
-}
-
-/// All of a buffer of such records.
-fn of<'a>(buffer: &'a Buffer, name: &'static str, stride: u64) -> Slot<'a> {
-    Slot::counting(name, stride, whole(buffer))
-}
-
-fn whole(buffer: &Buffer) -> wgpu::BufferBinding<'_> {
-    buffer.as_entire_buffer_binding()
 }
 
 /// The timestamps of a first and of a last pass.

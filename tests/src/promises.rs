@@ -55,6 +55,10 @@ pub const MEANT: [(&str, &str); 2] = [("window", "h"), ("optimal_linear_wide", "
 /// Compression tells norms up to 3e18 apart; 36 coefficients of this magnitude have a norm of at most 6e17.
 const COMPRESSED: f32 = 1e17;
 
+/// The norm of arguments beyond which an exponential at samples, whose values are of the size of 1 whatever goes in, may err no
+/// more: rounding of x makes e^x err by as much as x is long, until all samples are clamped or dark.
+pub const LONGEST: f64 = 64.0;
+
 /// Magnitudes are of every coefficient; directions, quaternions, matrices and angles are as they should be.
 pub const PROMISES: &[Promise] = &[
     promise("basis", 1.0, Poison::Shows),

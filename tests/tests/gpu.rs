@@ -6,7 +6,7 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use sh_codegen::emit::wgsl;
 use sh_codegen::routines::{ORDERS, ROUTINES, Routine, Shape};
 use sh_tests::accuracy::{Number, Table, error};
-use sh_tests::promises::{Poison, enlarge, promised};
+use sh_tests::promises::{LONGEST, Poison, Promise, enlarge, promised};
 use sh_tests::{case, truth::truth};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
@@ -185,6 +185,12 @@ fn check(bench: &Bench, routine: &Routine) -> Result<(), Failed> {
 /// at any size, or within the routine's bound.
 fn check_extremes(bench: &Bench, routine: &Routine) -> Result<(), Failed> {
     let permitted = Table::load().permitted(routine.name, Number::Gpu);
+    let Promise {
+        largest,
+        accurate,
+        poison,
+        ..
+    } = *promised(routine);
     for order in ORDERS {
         let mut random = case::Random::new(31);
         let mut cases: Vec<Vec<Vec<f32>>> = Vec::new();
@@ -200,7 +206,8 @@ fn check_extremes(bench: &Bench, routine: &Routine) -> Result<(), Failed> {
                 }
             }
             if replaced.is_none() {
-                enlarge(routine, &mut arguments, promised(routine).largest);
+                let size = if i % 2 == 0 { largest } else { accurate };
+                enlarge(routine, &mut arguments, size);
             }
             cases.push(arguments);
         }
@@ -212,19 +219,28 @@ fn check_extremes(bench: &Bench, routine: &Routine) -> Result<(), Failed> {
                 .map(|a| a.iter().copied().map(f64::from).collect())
                 .collect();
             let got: Vec<f64> = got.iter().copied().map(f64::from).collect();
-            let holds = match promised(routine).poison {
-                Poison::Bounded(bound) => got.iter().map(|x| x * x).sum::<f64>().sqrt() <= bound,
-                Poison::Shows => {
-                    let want = truth(routine.name, order, &wide).expect("a truth");
-                    // Denormals may be flushed to zero; what is added to has a size of its own.
-                    let least = if routine.name.starts_with("add_") {
-                        1.0
-                    } else {
-                        1e-30
-                    };
-                    let scale = case::scale(routine, &wide).max(least);
-                    error(&got, &want, Number::Gpu, scale) <= permitted
+            // Denormals may be flushed to zero; what is added to, and an exponential, has a size of its own.
+            let bounded = matches!(poison, Poison::Bounded(_));
+            let least = match routine.name.starts_with("add_") || bounded {
+                true => 1.0,
+                false => 1e-30,
+            };
+            let most = if bounded { LONGEST } else { f64::INFINITY };
+            let scale = case::scale(routine, &wide).clamp(least, most);
+            let size = wide
+                .iter()
+                .flatten()
+                .fold(0.0, |most: f64, x| most.max(x.abs()));
+            let is_accurate = || {
+                let want = truth(routine.name, order, &wide).expect("a truth");
+                error(&got, &want, Number::Gpu, scale) <= permitted
+            };
+            let holds = match poison {
+                Poison::Bounded(bound) => {
+                    let within = got.iter().map(|x| x * x).sum::<f64>().sqrt() <= bound;
+                    within && (size > f64::from(accurate).max(2.0) || is_accurate())
                 }
+                Poison::Shows => is_accurate(),
             };
             if !holds {
                 return Err(format!("order {order}: {got:?} of {arguments:?}").into());

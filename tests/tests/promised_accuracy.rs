@@ -65,18 +65,18 @@ fn no_published_method_is_cheaper_and_more_accurate_from_order_3_on() {
     }
 }
 
-/// At order 2 one is: multiplying visibilities with each other, without a logarithm, errs by a thirtieth less. But it errs by
-/// more than twice as much in heavy sets, and has no bound where blockers lie on each other.
+/// At order 2 most are: cheaper, and by up to a thirtieth more accurate in the mean, because its default is fitted to what many
+/// blockers do as well. In heavy sets each of them errs by twice as much, and where blockers lie on each other by three times as
+/// much or without bound.
 #[test]
-fn at_order_2_products_are_better_but_for_many_blockers() {
+fn at_order_2_published_methods_are_better_but_for_many_blockers() {
     let ours = default(2);
     let better = better(2);
-    let names: Vec<_> = better.iter().map(|row| row.exponential.as_str()).collect();
-    assert_eq!(names, ["product chain"]);
+    assert!(!better.is_empty(), "order 2 is as the others are");
     for row in better {
-        println!("{row:?}\n{ours:?}");
-        assert!(row.mean > 0.95 * ours.mean, "{row:?}");
-        assert!(row.heavy > 2.0 * ours.heavy && row.stacked > 1e6, "{row:?}");
+        assert!(row.mean > 0.96 * ours.mean, "{row:?}\n{ours:?}");
+        assert!(row.heavy > 1.9 * ours.heavy, "{row:?}\n{ours:?}");
+        assert!(row.stacked > 3.0 * ours.stacked, "{row:?}\n{ours:?}");
     }
 }
 

@@ -1,6 +1,6 @@
 //! A plan on the CPU.
 
-use super::{FRAMES, Idle, Measured, idle, median, pose};
+use super::{FRAMES, Idle, Measured, idle, median, middle_and_spread, pose};
 use crate::Error;
 use sh_bake::Loaded;
 use sh_cpu::Frames;
@@ -51,7 +51,7 @@ pub(super) fn measure(loaded: &mut Loaded, plan: &Plan, view: &View) -> Result<M
     Ok(Measured {
         dispatches: last.work.iter().map(|work| work.tasks).collect(),
         ms: times.into_iter().map(median).collect(),
-        frame_ms: median(whole),
+        frame_ms: middle_and_spread(whole),
         memory: last.buffers,
         changes: last.changes,
         idle: all,

@@ -1,6 +1,6 @@
 //! A plan on the GPU.
 
-use super::{FRAMES, Idle, Measured, idle, median, pose};
+use super::{FRAMES, Idle, Measured, idle, median, middle_and_spread, pose};
 use crate::Error;
 use crate::gpu::{Gpu, Stamps};
 use sh_bake::Loaded;
@@ -71,6 +71,7 @@ pub(super) fn measure(
                 }
             }
         }
+        renderer.submitted();
         if number > 0 {
             whole.push(start.elapsed().as_secs_f64() * 1e3);
             for (times, spent) in times.iter_mut().zip(spent) {
@@ -95,7 +96,7 @@ pub(super) fn measure(
     Ok(Measured {
         dispatches: dispatches.into_iter().map(|count| count as u64).collect(),
         ms: times.into_iter().map(median).collect(),
-        frame_ms: median(whole),
+        frame_ms: middle_and_spread(whole),
         memory: renderer.buffers(),
         changes,
         idle: all,

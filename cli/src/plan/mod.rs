@@ -61,8 +61,8 @@ struct Measured {
     dispatches: Vec<u64>,
     /// Milliseconds of each pass.
     ms: Vec<f64>,
-    /// Of the whole frame.
-    frame_ms: f64,
+    /// Of the whole frame: the middle, and by how much a half of all frames differ from it.
+    frame_ms: [f64; 2],
     memory: Vec<sh_scene::Buffer>,
     /// Of a frame after the first.
     changes: Changes,
@@ -142,6 +142,16 @@ fn pose(loaded: &mut Loaded, frame: usize) {
         let seconds = frame as f64 / RATE;
         loaded.motion.pose(seconds, &mut loaded.scene);
     }
+}
+
+/// The middle one, by size, and half the distance between a quarter from below and one from above.
+fn middle_and_spread(mut values: Vec<f64>) -> [f64; 2] {
+    values.sort_by(f64::total_cmp);
+    let at = |quarter: usize| {
+        let last = values.len().saturating_sub(1);
+        values.get(last * quarter / 4).copied().unwrap_or(0.0)
+    };
+    [median(values.clone()), 0.5 * (at(3) - at(1))]
 }
 
 /// The middle one, by size.

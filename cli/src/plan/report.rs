@@ -76,6 +76,8 @@ pub struct Report {
     pub bytes: u64,
     /// Milliseconds of a whole frame.
     pub frame_ms: f64,
+    /// By how many of them a half of all frames differ from that.
+    pub spread_ms: f64,
     /// Nodes of the tree of blockers that were renewed in the last frame.
     pub renewed_nodes: usize,
     /// How many times the last frame projected the environment.
@@ -134,7 +136,8 @@ impl Report {
             idle: measured.idle,
             buffers: memory.collect(),
             shaders: plan.shaders.iter().map(ToString::to_string).collect(),
-            frame_ms: measured.frame_ms,
+            frame_ms: measured.frame_ms[0],
+            spread_ms: measured.frame_ms[1],
             renewed_nodes: measured.changes.nodes,
             projections: measured.changes.projections,
             passes,

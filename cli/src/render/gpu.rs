@@ -76,6 +76,7 @@ pub fn picture(
             stamps.resolve(encoder);
         }
     })?;
+    renderer.submitted();
     let mut rest = start.elapsed().as_secs_f64();
     if let Some(stamps) = stamps {
         let stamps = stamps.read(gpu)?;

@@ -7,17 +7,31 @@ const SMALL: [&str; 4] = ["--size", "40x30", "--backend", "cpu"];
 
 /// Two bodies, one of which moves, that light each other.
 fn scene(folder: &Folder) -> String {
+    scene_with(
+        folder,
+        "keys = [{ time = 0 }, { time = 1, translate = [0, 1, 0] }]\n",
+    )
+}
+
+/// The same with a motion of choice.
+fn scene_with(folder: &Folder, motion: &str) -> String {
     let tetra = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
     folder.put("tetra.obj", tetra);
-    let text = "[[objects]]\nmesh = \"tetra.obj\"\nspheres = 4\n\
-        keys = [{ time = 0 }, { time = 1, translate = [0, 1, 0] }]\n\
+    let text = format!(
+        "[[objects]]\nmesh = \"tetra.obj\"\nspheres = 4\n{motion}\
         [[objects]]\nmesh = \"tetra.obj\"\nspheres = 4\ntranslate = [2, 0, 0]\n\
-        [indirect]\nmethod = \"spherical-lights\"\n";
+        [indirect]\nmethod = \"spherical-lights\"\n"
+    );
     folder.put("scene.toml", text)
 }
 
 fn plan(arguments: &[&str]) -> Value {
-    let text = success(&[&["plan"], arguments, &SMALL, &["--json"]].concat());
+    plan_of(arguments, "40x30")
+}
+
+fn plan_of(arguments: &[&str], size: &str) -> Value {
+    let usual = ["--size", size, "--backend", "cpu", "--json"];
+    let text = success(&[&["plan"], arguments, &usual].concat());
     serde_json::from_str(&text).expect("JSON")
 }
 
@@ -39,6 +53,26 @@ fn a_plan_tells_passes_and_their_cost() {
         }
         let reason = pass["reason"].as_str().expect("a reason");
         assert!(reason.ends_with('.'), "{reason}");
+    }
+    // Times are those of the passes: together most of a frame and no more than it, and more for more pixels.
+    let ms = |told: &Value, name: &str| -> f64 {
+        let passes = told["passes"].as_array().expect("passes").iter();
+        let named = passes.filter(|pass| name.is_empty() || pass["name"] == name);
+        named.map(|pass| pass["ms"].as_f64().expect("a time")).sum()
+    };
+    let large = plan_of(&[&scene], "320x240");
+    let frame = large["frame_ms"].as_f64().expect("a time");
+    let share = ms(&large, "") / frame;
+    assert!(
+        (0.5..1.2).contains(&share),
+        "passes take {share} of a frame"
+    );
+    for name in ["gbuffer", "shadow", "resolve"] {
+        let [few, many] = [&told, &large].map(|told| ms(told, name));
+        assert!(
+            many > 4.0 * few,
+            "{name}: {few} ms, {many} for 64 times the pixels"
+        );
     }
     let found = names(&told["passes"]);
     for name in [
@@ -85,7 +119,8 @@ fn a_plan_tells_passes_and_their_cost() {
 #[test]
 fn effects_are_switched_on_one_by_one() {
     let folder = Folder::new("effects");
-    let scene = scene(&folder);
+    // Nothing moves by itself.
+    let scene = scene_with(&folder, "");
     let arguments = [&["plan", &scene, "--effects"], &SMALL[..]].concat();
     let rows: Vec<Value> =
         serde_json::from_str(&success(&[&arguments[..], &["--json"]].concat())).expect("JSON");
@@ -98,7 +133,15 @@ fn effects_are_switched_on_one_by_one() {
             row["bytes"].as_u64().is_some_and(|bytes| bytes > 0),
             "{row}"
         );
+        assert_eq!(
+            row["idle"],
+            Value::Array(Vec::new()),
+            "all passes work: {row}"
+        );
     }
+    // Points of eight spheres are lit once more.
+    let tasks = |row: usize| rows[row]["dispatches"].as_u64().expect("a count");
+    assert_eq!(tasks(6) - tasks(5), 8);
     let text = success(&arguments);
     assert_eq!(text.trim_end().lines().count(), 2 + 7, "{text}");
 }

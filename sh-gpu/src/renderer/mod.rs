@@ -1,19 +1,21 @@
 //! A whole frame: the passes of a plan, band by band, recorded into the caller's encoder.
 
+mod sent;
 mod told;
 
 use crate::buffers::Buffers;
 use crate::stages::{Recording, Setup, Stage, Work, sends, shadow_pass};
 use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, ShadowPass, Shining, UpsamplePass};
+use sent::Sent;
 use sh_scene::{Domain, EnvironmentMap, Forest, Light, Part, Plan, Scene, Step, View};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use wgpu::{Buffer, CommandEncoder, Device, QuerySet, Queue};
 
 /// Renders a scene into a buffer of pixels.
 ///
 /// [`new`](Self::new) makes everything; a frame is [`prepare`](Self::prepare) and [`record`](Self::record),
-/// which create nothing on the device. Submitting, waiting and reading back are the host's.
+/// which create nothing on the device. Submitting, waiting and reading back are the host's; it says
+/// [`submitted`](Self::submitted) when it has, so that what has not changed is not computed again.
 ///
 /// The picture is worked off in horizontal bands ([`Bands`]): G-buffer, receivers and radiance exist for
 /// one band at a time, and the bands follow each other in the encoder. Passes at half resolution come first, band by
@@ -32,6 +34,7 @@ use wgpu::{Buffer, CommandEncoder, Device, QuerySet, Queue};
 /// let mut encoder = device.create_command_encoder(&Default::default());
 /// renderer.record(&mut encoder, None);
 /// queue.submit([encoder.finish()]); // `renderer.picture()` has the pixels
+/// renderer.submitted();
 /// # Ok(())
 /// # }
 /// ```
@@ -54,8 +57,8 @@ pub struct Renderer {
     pipelines: Pipelines,
     /// Draws of a band.
     drawn: usize,
-    /// Whether what spheres send on has been recorded as it is now.
-    sent: AtomicBool,
+    /// Whether what spheres send on is on the device as it is now.
+    sent: Sent,
 }
 
 impl Renderer {
@@ -139,7 +142,7 @@ impl Renderer {
             plan: plan.clone(),
             pipelines: pipelines.clone(),
             drawn: bodies.drawn() + usize::from(scene.ground.is_some()),
-            sent: AtomicBool::new(false),
+            sent: Sent::default(),
             bodies,
             shared: buffers.bytes(),
             picture: buffers.picture,
@@ -158,8 +161,8 @@ impl Renderer {
     /// [`update_environment`](Self::update_environment).
     ///
     /// What is as it was in the frame before is not uploaded again ([`uploaded`](Self::uploaded)), and where nothing that
-    /// lights bodies or stands in their light has changed, [`record`](Self::record) leaves out what finds the light that
-    /// they send on.
+    /// lights bodies or stands in their light has changed since a frame that was [`submitted`](Self::submitted),
+    /// [`record`](Self::record) leaves out what finds the light that they send on.
     pub fn prepare(
         &self,
         queue: &Queue,
@@ -191,7 +194,7 @@ impl Renderer {
             }
         }
         if self.lights_uploaded() != before {
-            self.sent.store(false, Ordering::Relaxed);
+            self.sent.change();
         }
         Ok(())
     }
@@ -205,7 +208,7 @@ impl Renderer {
                 let before = pass.uploaded();
                 pass.update_surfaces(queue, scene.objects.iter().map(Shining::from))?;
                 if pass.uploaded() != before {
-                    self.sent.store(false, Ordering::Relaxed);
+                    self.sent.change();
                 }
             }
         }
@@ -226,8 +229,9 @@ impl Renderer {
         Ok(())
     }
 
-    /// Records the frame, which is to be submitted before the next one is recorded. With a query set of type `Timestamp` and [`timestamps`](Self::timestamps) entries
-    /// or more, every pass of every band writes when it began and ended.
+    /// Records the frame, which is to be submitted before the next one is recorded, or dropped. With a query set of type
+    /// `Timestamp` and [`timestamps`](Self::timestamps) entries or more, every pass of every band writes when it began and
+    /// ended.
     pub fn record(&self, encoder: &mut CommandEncoder, queries: Option<&QuerySet>) {
         encoder.push_debug_group("gaunt frame");
         for (first, step) in (0..).step_by(2).zip(&self.steps) {
@@ -235,6 +239,14 @@ impl Renderer {
             self.record_step(encoder, *step, stamps);
         }
         encoder.pop_debug_group();
+    }
+
+    /// To be called after the frame that was recorded last has been handed to the queue, before anything else is recorded:
+    /// from then on [`record`](Self::record) leaves out what this frame computes, as long as it stays the same. An encoder may
+    /// be dropped instead; whoever never calls this gets the same pictures, and pays every frame for the light that spheres
+    /// send on.
+    pub fn submitted(&self) {
+        self.sent.submit();
     }
 
     /// How many parts [`record_part`](Self::record_part) has.
@@ -269,13 +281,13 @@ impl Renderer {
                 Part::Band(band) => band,
             },
             bodies: &self.bodies,
-            sent: self.sent.load(Ordering::Relaxed),
+            sent: match stage.work {
+                Work::LightUpdate { .. } => !self.sent.record(),
+                _ => false,
+            },
             stamps,
         };
         stage.record(encoder, recording);
-        if let Work::LightUpdate { .. } = stage.work {
-            self.sent.store(true, Ordering::Relaxed);
-        }
     }
 
     /// The picture, row by row from the top: a `vec4f` a pixel, linear Rec.709 red, green, blue and the

@@ -6,7 +6,6 @@ use crate::{Bands, Pipelines};
 use sh_scene::passes::{LIGHT_GATHER, SHADOW, UPSAMPLE};
 use sh_scene::resource::{ALBEDO, PICTURE, RADIANCE, RECEIVERS, SENT, UPSAMPLED};
 use sh_scene::{Domain, Pass};
-use std::sync::atomic::Ordering;
 
 impl Renderer {
     /// What light that is sent on depends on, in bytes that have been uploaded.
@@ -36,9 +35,9 @@ impl Renderer {
     }
 
     /// How many dispatches and draws [`record`](Self::record) would record now for each pass of the plan, in its order:
-    /// none for `light_update` where nothing has changed since it was recorded.
+    /// none for `light_update` where nothing has changed since it was submitted.
     pub fn dispatches(&self) -> Vec<usize> {
-        let sent = self.sent.load(Ordering::Relaxed);
+        let sent = self.sent.is_current();
         let of = |stage: &Stage| match stage.work {
             Work::LightUpdate { .. } if sent => 0,
             _ => stage.dispatches(self.drawn),

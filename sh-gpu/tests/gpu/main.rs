@@ -144,6 +144,10 @@ const TESTS: &[Test] = &[
         "plans::a_frame_uploads_what_has_changed",
         plans::a_frame_uploads_what_has_changed,
     ),
+    (
+        "plans::a_dropped_frame_is_recorded_again",
+        plans::a_dropped_frame_is_recorded_again,
+    ),
     ("plans::parts_are_the_frame", plans::parts_are_the_frame),
     (
         "middleware::shadowed_light_is_what_the_lobe_meets",

@@ -126,6 +126,7 @@ pub fn a_frame_uploads_what_has_changed(gpu: &Gpu) {
             .unwrap();
         let (bytes, dispatches) = (kept.uploaded() - before, kept.dispatches()[update]);
         gpu.submit(|encoder| kept.record(encoder, None));
+        kept.submitted();
         let picture = gpu.read::<[f32; 4]>(kept.picture());
         let most = Bands::MAX_SAMPLES;
         let fresh = kept.pipelines();
@@ -161,6 +162,52 @@ pub fn a_frame_uploads_what_has_changed(gpu: &Gpu) {
     }
     kept.update_meshes(&gpu.queue, &scene).unwrap();
     assert_eq!(frame(&scene, &light, "surfaces have changed").1, dispatches);
+}
+
+/// A frame that was recorded and never submitted has done nothing: the next one records all that it needs. Without word of
+/// what was submitted every frame does, and gives the same picture.
+pub fn a_dropped_frame_is_recorded_again(gpu: &Gpu) {
+    let mut scene = bouncing();
+    let view = view(&scene, 40, 30);
+    let plan = Plan::new(&scene);
+    let renderer = || Renderer::new(&gpu.device, &gpu.queue, &scene, &plan, &view).unwrap();
+    let (kept, fresh) = (renderer(), renderer());
+    let update = |renderer: &Renderer| -> usize {
+        let passes = plan.passes.iter().zip(renderer.dispatches());
+        let updates = passes.filter(|(pass, _)| pass.is(&LIGHT_UPDATE));
+        updates.map(|(_, dispatches)| dispatches).sum()
+    };
+    let light = Numbers(4).light(4).with_lights(&scene.lights).unwrap();
+    let mut forest = scene.forest();
+    let drop_one = |renderer: &Renderer| {
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        renderer.record(&mut encoder, None);
+    };
+    let picture = |renderer: &Renderer| {
+        gpu.submit(|encoder| renderer.record(encoder, None));
+        gpu.read::<[f32; 4]>(renderer.picture())
+    };
+    for moved in [0.0, 0.2] {
+        scene.objects[0].transform.translation.y += moved;
+        forest.update(&scene.world_spheres());
+        for renderer in [&kept, &fresh] {
+            renderer
+                .prepare(&gpu.queue, &scene, &forest, &light, &view)
+                .unwrap();
+        }
+        let all = update(&fresh);
+        drop_one(&kept);
+        assert_eq!(update(&kept), all, "what was dropped is still to be done");
+        let (after_drop, usual) = (picture(&kept), picture(&fresh));
+        assert!(usual.iter().any(|pixel| pixel[0] > 0.1), "not all is dark");
+        assert_eq!(after_drop, usual);
+        kept.submitted();
+        assert_eq!((update(&kept), update(&fresh)), (0, all));
+        // As it was: one leaves out what the other finds again.
+        drop_one(&kept);
+        kept.submitted();
+        assert_eq!((picture(&kept), picture(&fresh)), (usual.clone(), usual));
+    }
 }
 
 /// The parts of a frame one by one are the frame.

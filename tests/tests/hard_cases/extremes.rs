@@ -5,7 +5,7 @@
 use sh_codegen::routines::{ORDERS, ROUTINES, Routine};
 use sh_tests::accuracy::{Number, Table, error};
 use sh_tests::call::{call_f32, call_rounded};
-use sh_tests::promises::{MEANT, PROMISES, Poison, Promise, enlarge, promised};
+use sh_tests::promises::{LONGEST, MEANT, PROMISES, Poison, Promise, enlarge, promised};
 use sh_tests::{case, truth::truth};
 
 /// Arguments of f32 for case `i`.
@@ -151,10 +151,6 @@ fn widths_and_norms_that_are_not_finite() {
         assert!(factors(f32::NAN).iter().all(|x| x.is_nan()));
     }
 }
-
-/// The norm of arguments beyond which an exponential at samples, whose values are of the size of 1 whatever goes in, may err no
-/// more: rounding of x makes e^x err by as much as x is long, until all samples are clamped or dark.
-const LONGEST: f64 = 64.0;
 
 /// What is promised of vectors of any size: finite and in bounds up to the largest, as accurate as at 1 up to that which the
 /// table names, to what is permitted.
