@@ -429,3 +429,17 @@ fn resolve(setup: &Setup, _: Domain) -> Result<Work, Error> {
     let bound = bound.collect::<Result<_, _>>()?;
     Ok(Work::Resolve { pass, bound })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use sh_scene::PASSES;
+
+    #[test]
+    fn every_pass_of_the_table_is_made() {
+        for pass in PASSES {
+            assert!(MAKERS.iter().any(|(made, _)| *made == pass), "{pass:?}");
+        }
+        assert_eq!(MAKERS.len(), PASSES.len());
+    }
+}
