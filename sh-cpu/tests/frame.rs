@@ -4,10 +4,10 @@ mod common;
 
 use common::{object, scene, sphere_mesh};
 use glam::{Affine3A, Vec3, vec3};
-use sh_cpu::{Error, Frame, render};
+use sh_cpu::{Error, Frame, Frames, Gbuffer, Geometry, gbuffer, render, resolve};
 use sh_scene::passes::{GBUFFER, RESOLVE, SHADOW};
 use sh_scene::surface::{SurfacePoint, directions};
-use sh_scene::{Domain, EnvironmentMap, Ground, Indirect, Plan, PlanError, Scene};
+use sh_scene::{Domain, EnvironmentMap, Ground, Indirect, Plan, PlanError, Scene, View};
 use std::sync::Mutex;
 
 /// A ball on the ground under an even sky.
@@ -213,6 +213,45 @@ fn a_plan_without_what_is_read_is_refused() {
         assert_eq!(optional, vec!["light_gather"; gathers]);
         assert!(full.runs_over(Domain::Halves) == half);
     }
+}
+
+/// A caller's receivers get the light that they have in a picture, to the bit: here they are its samples.
+#[test]
+fn receivers_of_ones_own_are_lit_as_in_a_picture() {
+    let mut scene = two_balls();
+    scene.settings.half_resolution = false;
+    let (width, height) = (40, 30);
+    let picture = render(&scene, &Plan::new(&scene), (width, height), &|_| ()).unwrap();
+    let view = View {
+        camera: scene.camera,
+        width,
+        height,
+    };
+    let (grid, tiles) = (view.samples(), view.samples().tiles());
+    let mut samples = Gbuffer::default();
+    let geometry = Geometry::new(&scene).unwrap();
+    gbuffer(&geometry, &view, grid, 0..tiles.rows, &mut samples).unwrap();
+    let plan = Plan::of_receivers(&scene);
+    let mut frames = Frames::default();
+    let lit = frames.light(&scene, &plan, &samples.receivers, &tiles.clusters());
+    let lit = lit.unwrap();
+    assert!(lit.sent.iter().any(|sent| sent[0] > 0.0));
+    let both = lit.radiance.iter().zip(&lit.sent);
+    let radiance: Vec<[f32; 3]> = both
+        .map(|(direct, sent)| std::array::from_fn(|c| direct[c] + sent[c]))
+        .collect();
+    let mut pixels = vec![[0.0; 3]; picture.pixels.len()];
+    let map = &scene.environment;
+    resolve(&view, 0..tiles.rows, &samples, &radiance, map, &mut pixels).unwrap();
+    assert_eq!(pixels, picture.pixels);
+    // The plan of a picture lights no receivers of one's own, and clusters have to hold them all.
+    let wrong = frames.light(&scene, &Plan::new(&scene), &samples.receivers, &[]);
+    assert_eq!(wrong.unwrap_err(), Error::NoCamera);
+    let wrong = frames.light(&scene, &plan, &samples.receivers, &[]);
+    assert!(matches!(
+        wrong.unwrap_err(),
+        Error::Clusters { .. } | Error::Length { .. }
+    ));
 }
 
 #[test]

@@ -55,7 +55,9 @@ fn the_built_in_scene_becomes_a_picture() {
         .collect();
     assert_eq!(
         passes,
-        ["gbuffer", "shadow", "gbuffer", "upsample", "resolve"]
+        [
+            "gbuffer", "shadow", "shares", "gbuffer", "upsample", "shadow", "scatter", "resolve"
+        ]
     );
     let stages = report["stages"].as_array().unwrap();
     assert!(

@@ -154,16 +154,13 @@ impl Frames {
             ..Sets::default()
         };
         let lit = self.steps(scene, plan, None, sets, &|_| {});
-        let (done, mut sets) = match lit {
-            Ok((done, store)) => (done, store.1),
-            Err(error) => {
-                *self = Self::default();
-                return Err(error);
-            }
-        };
+        if lit.is_err() {
+            *self = Self::default();
+        }
+        let (done, (_, sets)) = lit?;
         Ok(Lit {
-            radiance: std::mem::take(&mut sets.radiance),
-            sent: std::mem::take(&mut sets.brought_sent),
+            radiance: sets.radiance,
+            sent: sets.brought_sent,
             stages: done.stages.0,
         })
     }
