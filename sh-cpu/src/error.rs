@@ -108,8 +108,8 @@ pub enum Error {
         /// Its name.
         pass: &'static str,
     },
-    /// A plan of a picture where receivers are the caller's.
-    #[error("the plan is that of a picture: receivers of one's own are lit by Plan::of_receivers")]
+    /// A pass that looks through a camera where there is none.
+    #[error("a pass needs a camera, but receivers are the caller's")]
     NoCamera,
     /// Settings that give no light.
     #[error(transparent)]

@@ -11,6 +11,7 @@ use crate::geometry::Hierarchy;
 use crate::resolve::check_environment;
 use crate::{Cuts, Error, Geometry, LightCuts, SphericalLights};
 use sh_scene::passes::LIGHT_UPDATE;
+use sh_scene::resource::{PICTURE, RADIANCE};
 use sh_scene::{
     Buffer, Changes, Domain, Forest, Plan, Receiver, Scene, Settings, Step, Tracker, View,
 };
@@ -148,6 +149,7 @@ impl Frames {
         receivers: &[Receiver],
         clusters: &[Range<usize>],
     ) -> Result<Lit, Error> {
+        plan.check_for(RADIANCE)?;
         let sets = Sets {
             brought: receivers,
             brought_clusters: clusters,
@@ -183,6 +185,7 @@ impl Frames {
             width,
             height,
         };
+        plan.check_for(PICTURE)?;
         check_view(&view)?;
         check_environment(&scene.environment)?;
         let (done, (camera, _)) = self.steps(scene, plan, Some(view), Sets::default(), progress)?;
@@ -217,7 +220,6 @@ impl Frames {
         sets: Sets<'a>,
         progress: &(dyn Fn(f32) + Sync),
     ) -> Result<(Done, (Option<Camera<'a>>, Sets<'a>)), Error> {
-        plan.check()?;
         let mut stages = Stages::default();
         let mut ledger = Ledger::new(plan);
         let camera = match view {

@@ -7,6 +7,7 @@ use crate::buffers::Buffers;
 use crate::stages::{Recording, Setup, Stage, Work, sends, shadow_pass};
 use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, ShadowPass, Shining, UpsamplePass};
 use sent::Sent;
+use sh_scene::resource::PICTURE;
 use sh_scene::{Domain, EnvironmentMap, Forest, Light, Part, Plan, Scene, Step, View};
 use std::sync::Arc;
 use wgpu::{Buffer, CommandEncoder, Device, QuerySet, Queue};
@@ -99,7 +100,7 @@ impl Renderer {
     ) -> Result<Self, Error> {
         let device = pipelines.device();
         let bands = |grid| Bands::new(device, view, grid, max_samples);
-        plan.check()?;
+        plan.check_for(PICTURE)?;
         let halves = match plan.runs_over(Domain::Halves) {
             true => Some(bands(view.halves())?),
             false => None,

@@ -17,6 +17,16 @@ pub enum PlanError {
         /// What needs it.
         wanting: &'static str,
     },
+    /// It gives something else than what is asked of it.
+    #[error(
+        "the plan gives {given}, but {wanted} is asked for: Plan::new plans a picture, Plan::of_receivers the radiance of receivers"
+    )]
+    Gives {
+        /// What comes out of it.
+        given: &'static str,
+        /// What should.
+        wanted: &'static str,
+    },
     /// A pass comes before what it needs.
     #[error(
         "the plan's passes are out of order: {before} needs the {resource} of {after}, which comes later"
@@ -32,6 +42,21 @@ pub enum PlanError {
 }
 
 impl Plan {
+    /// Whether it gives a resource, and [`check`](Self::check).
+    ///
+    /// # Errors
+    /// Where it gives something else, and as `check`.
+    pub fn check_for(&self, wanted: Resource) -> Result<(), PlanError> {
+        let (given, _) = self.gives;
+        if given != wanted {
+            return Err(PlanError::Gives {
+                given: given.name,
+                wanted: wanted.name,
+            });
+        }
+        self.check()
+    }
+
     /// Whether every pass finds what it reads, and a picture or the light of receivers comes out.
     ///
     /// # Errors
