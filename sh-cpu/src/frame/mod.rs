@@ -19,7 +19,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 use store::{Camera, Counts, Sets, Spheres, Store};
-use twins::{band, twin};
+use twins::twin;
 use work::{Ledger, Stages};
 
 /// A rendered picture and where its time went.
@@ -264,10 +264,10 @@ impl Frames {
             let planned = &plan.passes[pass];
             let run = twin(planned.pass)?.run;
             ledger.pass(pass, |tasks| {
-                run(&mut store, planned.at, band(part), &mut stages).map(|count| *tasks = count)
+                run(&mut store, planned.at, part.band(), &mut stages).map(|count| *tasks = count)
             })?;
             if planned.at == Domain::Pixels {
-                progress((band(part) + 1) as f32 / bands as f32);
+                progress((part.band() + 1) as f32 / bands as f32);
             }
         }
         for (pass, planned) in plan.passes.iter().enumerate() {

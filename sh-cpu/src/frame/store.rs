@@ -73,6 +73,7 @@ impl Sets<'_> {
                 radiance: &mut self.radiance,
                 sent: Some(&mut self.brought_sent),
             },
+            // Pixels are made of samples; the others have no receivers, and no pass over them asks for any.
             Domain::Samples | Domain::Pixels | Domain::Spheres | Domain::Scene => Set {
                 receivers: &self.samples.receivers,
                 clusters: &self.sample_clusters,

@@ -1,6 +1,6 @@
 //! The passes of the table on the CPU: how each takes what it needs from the store.
 
-use super::store::{Camera, Set, Store};
+use super::store::{Camera, Store};
 use super::work::Stages;
 use crate::gbuffer::gbuffer;
 use crate::irradiance::irradiance;
@@ -10,7 +10,7 @@ use crate::{Body, Error, LightUpdate, Path};
 use sh_scene::passes::{
     GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, RESOLVE, SCATTER, SHADOW, SHARES, UPSAMPLE,
 };
-use sh_scene::{Domain, Part, Pass, Tiles, View};
+use sh_scene::{Domain, Pass, Tiles, View};
 
 /// A pass of the table on the CPU.
 pub(super) struct Twin {
@@ -82,25 +82,13 @@ static TWINS: [Twin; 9] = [
     Twin {
         pass: &LIGHT_GATHER,
         run: |store, at, _, stages| {
-            let Set {
-                receivers,
-                clusters,
-                radiance,
-                sent,
-            } = store.sets.of(at);
-            let tasks = clusters.len() as u64;
-            let set = Set {
-                receivers,
-                clusters,
-                radiance,
-                sent: None,
-            };
+            let set = store.sets.of(at);
             let gathered = store.spheres.gather(&set, stages)?;
-            match sent {
+            match set.sent {
                 Some(sent) => *sent = gathered,
                 None => add(set.radiance, &gathered),
             }
-            Ok(tasks)
+            Ok(set.clusters.len() as u64)
         },
         memory: |store, at| {
             let count = store.sets.of(at).radiance.capacity();
@@ -204,14 +192,6 @@ static TWINS: [Twin; 9] = [
 pub(super) fn twin(pass: &Pass) -> Result<&'static Twin, Error> {
     let found = TWINS.iter().find(|twin| twin.pass == pass);
     found.ok_or(Error::NoTwin { pass: pass.name })
-}
-
-/// The number of a part's band; 0 where it is all there is.
-pub(super) fn band(part: Part) -> u32 {
-    match part {
-        Part::Whole => 0,
-        Part::Band(band) => band,
-    }
 }
 
 fn light_update(store: &mut Store, _: Domain, _: u32, stages: &mut Stages) -> Result<u64, Error> {

@@ -8,7 +8,7 @@ use crate::stages::{Recording, Setup, Stage, Work, sends, shadow_pass};
 use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, ShadowPass, Shining, UpsamplePass};
 use sent::Sent;
 use sh_scene::resource::PICTURE;
-use sh_scene::{Domain, EnvironmentMap, Forest, Light, Part, Plan, Scene, Step, View};
+use sh_scene::{Domain, EnvironmentMap, Forest, Light, Plan, Scene, Step, View};
 use std::sync::Arc;
 use wgpu::{Buffer, CommandEncoder, Device, QuerySet, Queue};
 
@@ -277,10 +277,7 @@ impl Renderer {
         };
         let recording = Recording {
             bands,
-            band: match part {
-                Part::Whole => 0,
-                Part::Band(band) => band,
-            },
+            band: part.band(),
             bodies: &self.bodies,
             sent: match stage.work {
                 Work::LightUpdate { .. } => !self.sent.record(),

@@ -1,7 +1,7 @@
 //! Whether a plan gives what it is for.
 
 use super::resource::RECEIVERS;
-use super::{Access, Domain, PASSES, Plan, Planned, Resource};
+use super::{Access, Domain, PASSES, Pass, Plan, Planned, Resource};
 
 /// Why a plan cannot be worked off.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -83,9 +83,9 @@ impl Plan {
         if what.0.given || what == (RECEIVERS, Domain::Receivers) {
             return Ok(());
         }
-        let makes = |pass: &&Planned| makes(pass.slots(), pass.at, what);
+        let makes = |planned: &&Planned| planned.pass.makes(planned.at, what);
         let (earlier, later) = self.passes.split_at(index);
-        if earlier.iter().any(|pass| makes(&pass)) {
+        if earlier.iter().any(|planned| makes(&planned)) {
             return Ok(());
         }
         if let Some(after) = later.iter().find(makes) {
@@ -95,17 +95,8 @@ impl Plan {
                 resource,
             });
         }
-        let would = |at: Domain| {
-            let all = PASSES.iter().map(move |pass| (pass, at));
-            all.filter(|(pass, at)| makes_at(pass, *at, what))
-        };
-        let mut names: Vec<&str> = Domain::ALL
-            .into_iter()
-            .flat_map(would)
-            .map(|(pass, _)| pass.name)
-            .collect();
-        names.sort_by_key(|name| PASSES.iter().position(|pass| pass.name == *name));
-        names.dedup();
+        let would = |pass: &&&Pass| Domain::ALL.iter().any(|at| pass.makes(*at, what));
+        let mut names: Vec<&str> = PASSES.iter().filter(would).map(|pass| pass.name).collect();
         let last = names.pop().unwrap_or("such");
         let missing = match names.is_empty() {
             true => last.into(),
@@ -117,13 +108,4 @@ impl Plan {
             wanting,
         })
     }
-}
-
-fn makes(slots: Vec<super::Slot>, at: Domain, what: (Resource, Domain)) -> bool {
-    let mut made = slots.iter().filter(|slot| slot.access == Access::Write);
-    made.any(|slot| slot.bound(at) == what)
-}
-
-fn makes_at(pass: &super::Pass, at: Domain, what: (Resource, Domain)) -> bool {
-    makes((pass.slots)(at), at, what)
 }

@@ -144,11 +144,7 @@ impl Plan {
 
     /// The first pass that makes a resource of a domain.
     pub fn maker(&self, resource: Resource, domain: Domain) -> Option<usize> {
-        let makes = |planned: &Planned| {
-            let slots = planned.slots();
-            let mut made = slots.iter().filter(|slot| slot.access == Access::Write);
-            made.any(|slot| slot.bound(planned.at) == (resource, domain))
-        };
+        let makes = |planned: &Planned| planned.pass.makes(planned.at, (resource, domain));
         self.passes.iter().position(makes)
     }
 

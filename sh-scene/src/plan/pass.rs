@@ -18,6 +18,15 @@ pub struct Pass {
     pub cost: fn(&Units) -> Cost,
 }
 
+impl Pass {
+    /// Whether it makes a resource of a domain where it runs `at` one.
+    pub fn makes(&self, at: Domain, what: (Resource, Domain)) -> bool {
+        let slots = (self.slots)(at);
+        let mut made = slots.iter().filter(|slot| slot.access == Access::Write);
+        made.any(|slot| slot.bound(at) == what)
+    }
+}
+
 /// Passes are told apart by name.
 impl PartialEq for Pass {
     fn eq(&self, other: &Self) -> bool {
@@ -107,16 +116,6 @@ impl Slot {
     /// Which resource of which domain it is for a pass that runs `at` one.
     pub fn bound(&self, at: Domain) -> (Resource, Domain) {
         (self.resource, self.of.unwrap_or(at))
-    }
-
-    /// Whether it needs what others have written.
-    pub fn reads(&self) -> bool {
-        self.access != Access::Write
-    }
-
-    /// Whether it leaves something for others.
-    pub fn writes(&self) -> bool {
-        matches!(self.access, Access::Write | Access::Modify)
     }
 }
 

@@ -12,6 +12,16 @@ pub enum Part {
     Band(u32),
 }
 
+impl Part {
+    /// The number of the band; 0 where it is all there is.
+    pub fn band(self) -> u32 {
+        match self {
+            Self::Whole => 0,
+            Self::Band(band) => band,
+        }
+    }
+}
+
 /// One thing to do: a backend does a plan's steps one after the other and asks nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Step {
