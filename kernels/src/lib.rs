@@ -4,25 +4,9 @@
 //! build script links them with the routines that `sh-codegen` generates; nothing of the linker or of the
 //! generator is in the compiled crate.
 //!
-//! | pass | entry points | group 0 | group 1 |
-//! |---|---|---|---|
-//! | light_update | `place` | lighting (uniform), senders, points, cells, emission (written) | receivers (written) |
-//! | | `project` | as above | radiance |
-//! | | `raise` | as above | nodes |
-//! | gbuffer | `body_vertex`, `body_fragment` | band (uniform) | body (uniform), base colour (texture) |
-//! | | `ground_vertex`, `ground_fragment` | band (uniform) | |
-//! | | `pack` | band (uniform), places, surfaces (textures) | receivers, albedos (storage, written) |
-//! | irradiance | `irradiance` | lighting (uniform), emitters | receivers, radiance (written) |
-//! | shadow | `shadow` | lighting (uniform), emitters, nodes | receivers, clusters, radiance (written) |
-//! | shadowed_light | `shadowed_light` | as above | receivers, clusters, light (written: n² `vec4f` a receiver) |
-//! | light_gather | `gather_discs`, `gather_sums` | lighting (uniform), nodes, members, emission | receivers, clusters, radiance (added to) |
-//! | upsample | `shares` | band, lighting (uniform), emitters, rule (uniform) | half receivers, half radiance (to shares) |
-//! | | `upsample` | as above | half receivers, half shares, receivers, radiance, what to shade anew and its clusters (three written), what is sent at half resolution |
-//! | | `scatter` | as above | clusters, what is shaded anew, its radiance, radiance (written) |
-//! | resolve | `resolve` | band (uniform), environment (texture) | receivers, albedo, radiance, picture (written) |
-//! | vertices | `vertices` | source (uniform) | receivers (written), the host's vertices |
-//! | screen | `from_positions`, `from_depth` | source (uniform) | receivers (written), the host's normals and positions or depth (textures) |
-//! | | `to_texture` | as above | radiance, the host's texture (written) |
+//! What they are bound to stands in the kernels, and is listed from there ([`Pass::entries`]):
+//!
+#![doc = include_str!(concat!(env!("OUT_DIR"), "/passes.md"))]
 //!
 //! Compute entry points have workgroups of [`WORKGROUP`] invocations and count elements row by row over a
 //! two-dimensional dispatch; how many there are follows from the size of the bound buffers. `shadow`, `light_gather`,
@@ -46,62 +30,9 @@ pub const MAX_ORDER: usize = 6;
 /// Invocations in a workgroup of every compute entry point.
 pub const WORKGROUP: u32 = 64;
 
-/// The passes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Pass {
-    /// What spheres send on.
-    LightUpdate,
-    /// Position, normal and albedo per sample; the same text for every order.
-    Gbuffer,
-    /// Light without blockers.
-    Irradiance,
-    /// Light through the visibility of all blocker spheres.
-    Shadow,
-    /// That light itself, before the cosine lobe.
-    ShadowedLight,
-    /// Light that spheres send on.
-    LightGather,
-    /// Radiance at half resolution to samples.
-    Upsample,
-    /// Samples to pixels; the same text for every order.
-    Resolve,
-    /// A host's vertices as receivers; the same text for every order.
-    Vertices,
-    /// A host's G-buffer as receivers, and radiance into its texture; the same text for every order.
-    Screen,
-}
+mod bindings;
 
-impl Pass {
-    /// All passes, in the order of a frame.
-    pub const ALL: [Pass; 10] = [
-        Pass::LightUpdate,
-        Pass::Gbuffer,
-        Pass::Irradiance,
-        Pass::Shadow,
-        Pass::ShadowedLight,
-        Pass::LightGather,
-        Pass::Upsample,
-        Pass::Resolve,
-        Pass::Vertices,
-        Pass::Screen,
-    ];
-
-    /// The name of the pass and of its file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Pass::LightUpdate => "light_update",
-            Pass::Gbuffer => "gbuffer",
-            Pass::Irradiance => "irradiance",
-            Pass::Shadow => "shadow",
-            Pass::ShadowedLight => "shadowed_light",
-            Pass::LightGather => "light_gather",
-            Pass::Upsample => "upsample",
-            Pass::Resolve => "resolve",
-            Pass::Vertices => "vertices",
-            Pass::Screen => "screen",
-        }
-    }
-}
+pub use bindings::{Binding, EntryPoint, Kind, Stage};
 
 #[cfg(feature = "export")]
 pub mod export;
@@ -109,6 +40,7 @@ pub mod export;
 #[expect(dead_code, reason = "only the build script links")]
 mod link;
 
+include!(concat!(env!("OUT_DIR"), "/passes.rs"));
 include!(concat!(env!("OUT_DIR"), "/sources.rs"));
 
 /// The flat WGSL text of a pass at an SH order, or `None` for an order outside [`MIN_ORDER`] to

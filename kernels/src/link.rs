@@ -41,6 +41,8 @@ impl std::error::Error for LinkError {}
 pub struct Item {
     /// Its text, with its comments and attributes.
     pub text: String,
+    /// That without comments.
+    pub code: String,
     /// What it declares.
     pub name: String,
     /// The words that it mentions.
@@ -94,8 +96,8 @@ pub struct Modules<'a> {
     pub libraries: &'a [&'a Library],
 }
 
-/// Links the module `root`: what its entry points reach, or all of it where it has none.
-pub fn link(root: &str, choice: Choice, modules: Modules<'_>) -> Result<String, LinkError> {
+/// All items of the module `root`, those of its imports first.
+pub fn items(root: &str, choice: Choice, modules: Modules<'_>) -> Result<Vec<Item>, LinkError> {
     let read = modules.read;
     let mut items = Vec::new();
     let mut seen = HashSet::from([root.to_string()]);
@@ -105,10 +107,15 @@ pub fn link(root: &str, choice: Choice, modules: Modules<'_>) -> Result<String, 
         message: "there is no such module".into(),
     })?;
     gather(root, &text, choice, &modules, &mut seen, &mut items)?;
+    Ok(items)
+}
+
+/// One text of what the entry points reach, or of all items where none is one.
+pub fn flat(items: &[Item]) -> String {
     let library = !items.iter().any(|i| i.entry);
-    let kept = reached(&items, |item| item.entry || library);
+    let kept = reached(items, |item| item.entry || library);
     let texts: Vec<_> = kept.iter().map(|i| i.text.as_str()).collect();
-    Ok(texts.join("\n"))
+    texts.join("\n")
 }
 
 /// The items that the chosen ones mention, directly or through others, and themselves; in their order.
@@ -216,6 +223,25 @@ fn strip_comment(text: &str) -> String {
     code.collect::<Vec<_>>().join("\n")
 }
 
+/// The names of other items that code may mean: not those of fields, and not those that it declares itself.
+fn mentioned(code: &str) -> HashSet<String> {
+    let is_word = |c: char| c.is_alphanumeric() || c == '_' || c == '@';
+    let (mut all, mut own) = (HashSet::new(), HashSet::new());
+    let (mut rest, mut before) = (code, "");
+    while let Some(at) = rest.find(is_word) {
+        let (between, word) = rest.split_at(at);
+        let (word, after) = word.split_at(word.find(|c| !is_word(c)).unwrap_or(word.len()));
+        let declared = ["let", "var", "const"].contains(&before) && between.trim().is_empty();
+        if declared || (after.starts_with(':') && before != "case") {
+            own.insert(word.to_string());
+        } else if !between.ends_with('.') {
+            all.insert(word.to_string());
+        }
+        (rest, before) = (after, word);
+    }
+    &all - &own
+}
+
 /// Finds an item's name and the names it mentions.
 fn parse(text: String) -> Option<Item> {
     let code = strip_comment(&text);
@@ -239,16 +265,14 @@ fn parse(text: String) -> Option<Item> {
         .iter()
         .find(|w| !ADDRESSING.contains(w))?
         .to_string();
-    let uses = words
-        .iter()
-        .map(|w| w.to_string())
-        .filter(|w| *w != name)
-        .collect();
+    let mut uses = mentioned(&code);
+    uses.remove(&name);
     let entry = words[..keyword]
         .iter()
         .any(|w| ["@compute", "@vertex", "@fragment"].contains(w));
     Some(Item {
         text,
+        code,
         name,
         uses,
         entry,

@@ -1,6 +1,7 @@
 //! The linker: imports, placeholders, pruning, and what it says when something is wrong.
 
 #[path = "../src/link.rs"]
+#[expect(dead_code, reason = "what items are made of is the build script's")]
 mod link;
 
 use link::{Choice, Library, LinkError, Modules};
@@ -30,7 +31,7 @@ fn link(
         read,
         libraries: &[&library],
     };
-    link::link(root, choice, modules)
+    Ok(link::flat(&link::items(root, choice, modules)?))
 }
 
 #[test]
@@ -65,6 +66,16 @@ fn unused_items_go_and_keep_their_comments_to_themselves() {
     let text = link("pass", of(4), &files(&[("pass", &pass)])).unwrap();
     assert!(text.contains("// Used.\nfn used()") && text.contains("const SIZE"));
     assert!(!text.contains("idle") && !text.contains("Unused.") && !text.contains("About"));
+}
+
+#[test]
+fn fields_and_variables_are_no_items() {
+    let pass = format!(
+        "fn idle() {{\n}}\n\nfn lazy() {{\n}}\n\nfn used(lazy: Wide) -> f32 {{\n    let width = lazy.idle;\n    \
+         return width;\n}}\n\nstruct Wide {{\n    idle: f32,\n}}\n{MAIN}"
+    );
+    let text = link("pass", of(4), &files(&[("pass", &pass)])).unwrap();
+    assert!(text.contains("struct Wide") && !text.contains("fn idle") && !text.contains("fn lazy"));
 }
 
 #[test]
