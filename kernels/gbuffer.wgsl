@@ -126,7 +126,7 @@ const GROUND: u32 = 0u;
 @group(0) @binding(2) var surfaces: texture_2d<u32>;
 // Tile by tile; what lies beyond the grid is not covered.
 @group(1) @binding(0) var<storage, read_write> receivers: array<Receiver>;
-@group(1) @binding(1) var<storage, read_write> albedos: array<vec4f>;
+@group(1) @binding(1) var<storage, read_write> albedo: array<vec4f>;
 
 @compute @workgroup_size(64)
 fn pack(
@@ -145,11 +145,11 @@ fn pack(
     }
     if (surface.w == 0u) {
         receivers[index] = Receiver();
-        albedos[index] = vec4f(0.0);
+        albedo[index] = vec4f(0.0);
         return;
     }
     let place = textureLoad(places, cell, 0);
     let normal = unit_from_octahedral(bitcast<vec2f>(surface.xy));
     receivers[index] = Receiver(bitcast<vec3f>(place.xyz), 1u, normal, place.w);
-    albedos[index] = vec4f(unpack2x16unorm(surface.z), unpack2x16unorm(surface.w).x, 0.0);
+    albedo[index] = vec4f(unpack2x16unorm(surface.z), unpack2x16unorm(surface.w).x, 0.0);
 }

@@ -14,10 +14,10 @@ struct VertexSource {
 
 @group(0) @binding(0) var<uniform> source: VertexSource;
 @group(1) @binding(0) var<storage, read_write> receivers: array<Receiver>;
-@group(1) @binding(1) var<storage, read> words: array<f32>;
+@group(1) @binding(1) var<storage, read> vertices: array<f32>;
 
 @compute @workgroup_size(64)
-fn vertices(
+fn from_vertices(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
     @builtin(local_invocation_index) lane: u32,
@@ -42,5 +42,5 @@ fn vertices(
 }
 
 fn three(at: u32) -> vec3f {
-    return vec3f(words[at], words[at + 1u], words[at + 2u]);
+    return vec3f(vertices[at], vertices[at + 1u], vertices[at + 2u]);
 }

@@ -1,16 +1,16 @@
 //! The scene's bodies on the GPU: vertices, textures, and where each body stands.
 
 use crate::Error;
-use crate::pipeline::{buffer_entry, texture_bytes, texture_entry};
+use crate::layout::Layout;
+use crate::pipeline::texture_bytes;
 use crate::records::{Body, Vertex};
 use crate::scope::checked;
 use crate::upload::{Kept, Known, filled};
 use glam::Mat4;
+use sh_kernels::Pass;
 use sh_scene::{Mesh, Object, Scene, Texture};
 use wgpu::util::{DeviceExt, TextureDataOrder};
-use wgpu::{
-    BindGroup, BindGroupLayout, Buffer, BufferUsages, Device, Queue, RenderPass, ShaderStages,
-};
+use wgpu::{BindGroup, Buffer, BufferUsages, Device, Queue, RenderPass};
 
 /// Bytes from one body's record to the next: the alignment that every device grants.
 const STRIDE: u64 = 256;
@@ -56,7 +56,7 @@ impl Bodies {
             })?;
         }
         checked(device, || {
-            let layout = Self::layout(device);
+            let [_, layout] = Layout::of_raster(device, Pass::Gbuffer, Self::ENTRIES);
             let size = (scene.objects.len() as u64).max(1) * STRIDE;
             let most = device.limits().max_buffer_size;
             Error::within("the bodies' records", size, "max_buffer_size", most)?;
@@ -144,18 +144,8 @@ impl Bodies {
         Ok(())
     }
 
-    /// The layout of group 1 of `body_vertex` and `body_fragment`.
-    pub(crate) fn layout(device: &Device) -> BindGroupLayout {
-        let uniform = wgpu::BufferBindingType::Uniform;
-        let float = wgpu::TextureSampleType::Float { filterable: false };
-        device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("gaunt body"),
-            entries: &[
-                buffer_entry(0, ShaderStages::VERTEX_FRAGMENT, uniform, true),
-                texture_entry(1, ShaderStages::FRAGMENT, float),
-            ],
-        })
-    }
+    /// What they are drawn with.
+    pub(crate) const ENTRIES: [&'static str; 2] = ["body_vertex", "body_fragment"];
 
     /// Draws all bodies with the pipeline and band that are set.
     pub(crate) fn draw(&self, pass: &mut RenderPass<'_>) {
@@ -250,7 +240,7 @@ fn upload(
     device: &Device,
     queue: &Queue,
     object: &Object,
-    layout: &BindGroupLayout,
+    layout: &Layout,
     records: &Buffer,
 ) -> Result<Drawn, Error> {
     let mesh = &object.mesh;
@@ -269,20 +259,8 @@ fn upload(
         offset: 0,
         size: wgpu::BufferSize::new(size_of::<Body>() as u64),
     });
-    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some(&label),
-        layout,
-        entries: &[
-            wgpu::BindGroupEntry {
-                binding: 0,
-                resource: record,
-            },
-            wgpu::BindGroupEntry {
-                binding: 1,
-                resource: wgpu::BindingResource::TextureView(&view),
-            },
-        ],
-    });
+    let color = wgpu::BindingResource::TextureView(&view);
+    let group = layout.bind(device, &[("body", record), ("base_color", color)]);
     Ok(Drawn {
         vertices: buffer(
             bytemuck::cast_slice(&vertices),

@@ -1,156 +1,187 @@
-//! What the passes of a frame hand each other.
+//! What the passes of a frame hand each other: a buffer for every resource that a pass of the plan makes.
 
 use crate::scope::checked;
-use crate::{Bands, Error, HalfBinding};
-use sh_scene::{Receiver, Tiles};
+use crate::{Bands, Error};
+use sh_scene::plan::Access;
+use sh_scene::resource::ALBEDO;
+use sh_scene::{Domain, Plan, Resource, Tiles};
+use std::borrow::Cow;
 use wgpu::{Buffer, BufferBinding, BufferSize, BufferUsages, Device};
 
-/// Bytes of a receiver, and of an albedo, a radiance or a pixel.
-const RECEIVER: u64 = size_of::<Receiver>() as u64;
-const COLOR: u64 = 16;
-
-/// One band's samples, the whole picture at half resolution where there is one, and the picture.
+/// One band's samples, the whole picture at half resolution where there is one, and what there is of all pixels. The list
+/// that upsampling leaves is the upsample pass's own.
 #[derive(Debug)]
-pub(crate) struct Buffers {
-    receivers: Buffer,
-    albedo: Buffer,
-    radiance: Buffer,
-    halves: Option<Half>,
-    pub picture: Buffer,
-}
+pub(crate) struct Buffers(Vec<Held>);
 
-/// What is kept at half resolution.
+/// The memory of one or more resources of a domain.
 #[derive(Debug)]
-struct Half {
-    receivers: Buffer,
-    radiance: Buffer,
-    /// Radiance that spheres send, where they do.
-    sent: Option<Buffer>,
+struct Held {
+    memory: &'static str,
+    at: Domain,
+    /// Bytes of an element.
+    stride: u64,
+    /// Index of the first pass of the plan that makes something in it.
+    maker: usize,
+    buffer: Buffer,
 }
 
 impl Buffers {
-    /// `sent`: whether spheres send light on.
+    /// Those of a plan.
     pub fn new(
         device: &Device,
+        plan: &Plan,
         bands: &Bands,
         halves: Option<&Bands>,
-        sent: bool,
     ) -> Result<Self, Error> {
         let most = device.limits().max_buffer_size;
-        let buffer = |name: &'static str, size: u64, usage: BufferUsages| {
-            Error::within(name, size, "max_buffer_size", most)?;
-            Ok::<_, Error>(device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(&format!("gaunt {name}")),
-                size,
-                usage: usage | BufferUsages::STORAGE,
-                mapped_at_creation: false,
-            }))
-        };
-        let none = BufferUsages::empty();
-        let samples = bands.receivers(0);
-        // Nobody reads the albedo at half resolution, but it is written.
-        let widest = samples.max(halves.map_or(0, |halves| halves.receivers(0)));
-        let all = |bands: &Bands, of: &dyn Fn(u32) -> u64| (0..bands.count()).map(of).sum::<u64>();
-        checked(device, || {
-            let halves = match halves {
-                Some(bands) => {
-                    let count = all(bands, &|band| bands.receivers(band));
-                    let name = "light that is sent, at half resolution";
-                    let sent = sent.then(|| buffer(name, count * COLOR, BufferUsages::COPY_DST));
-                    Some(Half {
-                        receivers: buffer("receivers at half resolution", count * RECEIVER, none)?,
-                        radiance: buffer("radiance at half resolution", count * COLOR, none)?,
-                        sent: sent.transpose()?,
-                    })
-                }
-                None => None,
+        let mut all: Vec<Held> = Vec::new();
+        let made = plan.passes.iter().enumerate().flat_map(|(maker, planned)| {
+            let slots = planned.slots().into_iter();
+            let written = slots.filter(|slot| slot.access == Access::Write);
+            written.map(move |slot| (maker, slot.bound(planned.at)))
+        });
+        for (maker, (resource, at)) in made {
+            let held = all.iter().any(|held| held.is(resource, at));
+            let Some(count) = elements(resource, at, bands, halves).filter(|_| !held) else {
+                continue;
             };
-            let pixels = all(bands, &|band| bands.picture_range(band).1);
-            Ok(Self {
-                receivers: buffer("receivers", samples * RECEIVER, none)?,
-                albedo: buffer("albedo", widest * COLOR, none)?,
-                radiance: buffer("radiance", samples * COLOR, none)?,
-                halves,
-                picture: buffer("picture", pixels, BufferUsages::COPY_SRC)?,
-            })
-        })
+            let size = count * resource.bytes;
+            let name = name(resource.memory, at);
+            Error::within(resource.memory, size, "max_buffer_size", most)?;
+            let buffer = checked(device, || {
+                Ok(device.create_buffer(&wgpu::BufferDescriptor {
+                    label: Some(&format!("gaunt {name}")),
+                    size,
+                    usage: usage(at),
+                    mapped_at_creation: false,
+                }))
+            })?;
+            all.push(Held {
+                memory: resource.memory,
+                at,
+                stride: resource.bytes,
+                maker,
+                buffer,
+            });
+        }
+        Ok(Self(all))
     }
 
-    /// Every buffer's name, and its bytes of GPU memory.
-    pub fn bytes(&self) -> Vec<(&'static str, u64)> {
-        let halves = self.halves.as_ref();
-        let all = [
-            ("receivers", Some(&self.receivers)),
-            ("albedo", Some(&self.albedo)),
-            ("radiance", Some(&self.radiance)),
-            ("half_receivers", halves.map(|half| &half.receivers)),
-            ("half_radiance", halves.map(|half| &half.radiance)),
-            ("half_sent", halves.and_then(|half| half.sent.as_ref())),
-            ("picture", Some(&self.picture)),
-        ];
-        let sizes = all.map(|(name, buffer)| buffer.map(|buffer| (name, buffer.size())));
-        sizes.into_iter().flatten().collect()
+    /// Each buffer's name, the pass of the plan that first writes it, and its bytes of GPU memory.
+    pub fn told(&self) -> impl Iterator<Item = (Cow<'static, str>, usize, u64)> {
+        let all = self.0.iter();
+        all.map(|held| (name(held.memory, held.at), held.maker, held.buffer.size()))
     }
 
-    /// Receivers, albedo and radiance of a band of samples.
-    pub fn samples(&self, bands: &Bands, band: u32) -> [BufferBinding<'_>; 3] {
-        let count = bands.receivers(band);
-        [
-            part(&self.receivers, 0, count * RECEIVER),
-            part(&self.albedo, 0, count * COLOR),
-            part(&self.radiance, 0, count * COLOR),
-        ]
+    /// The buffer of a resource of a domain.
+    pub fn get(&self, resource: Resource, at: Domain) -> Option<&Buffer> {
+        Some(&self.held(resource, at)?.buffer)
     }
 
-    /// Receivers, albedo and radiance of a band at half resolution, or none where there is no such thing.
-    pub fn half_band(&self, halves: &Bands, band: u32) -> Option<[BufferBinding<'_>; 3]> {
-        let albedo = part(&self.albedo, 0, halves.receivers(band) * COLOR);
-        let half = self.half(halves, band)?;
-        Some([half.receivers, albedo, half.shares])
+    /// A band's part of a resource. `bands` are those of the domain.
+    ///
+    /// # Errors
+    /// Where no pass of the plan makes it.
+    pub fn band(
+        &self,
+        resource: Resource,
+        at: Domain,
+        bands: &Bands,
+        band: u32,
+    ) -> Result<BufferBinding<'_>, Error> {
+        let held = self.held(resource, at).ok_or(missing(resource))?;
+        let (first, count) = match at {
+            Domain::Halves => {
+                let before = (0..band).map(|band| bands.receivers(band)).sum();
+                (before, bands.receivers(band))
+            }
+            Domain::Pixels => {
+                let (offset, size) = bands.picture_range(band);
+                (offset / PIXEL, size / PIXEL)
+            }
+            // There is one band at a time.
+            _ => (0, bands.receivers(band)),
+        };
+        Ok(held.part(first, count))
     }
 
-    /// All there is of a band at half resolution.
-    pub fn half(&self, halves: &Bands, band: u32) -> Option<HalfBinding<'_>> {
-        let before = (0..band).map(|band| halves.receivers(band)).sum();
-        self.half_part(before, halves.receivers(band))
-    }
-
-    /// What spheres send at half resolution.
-    pub fn half_sent(&self) -> Option<&Buffer> {
-        self.halves.as_ref()?.sent.as_ref()
-    }
-
-    /// What lies at half resolution under a band of samples.
-    pub fn under(&self, bands: &Bands, halves: &Bands, band: u32) -> Option<HalfBinding<'_>> {
+    /// What of a resource at half resolution lies under a band of samples.
+    ///
+    /// # Errors
+    /// Where no pass of the plan makes it.
+    pub fn under(
+        &self,
+        resource: Resource,
+        [bands, halves]: [&Bands; 2],
+        band: u32,
+    ) -> Result<BufferBinding<'_>, Error> {
+        let held = self.held(resource, Domain::Halves);
+        let held = held.ok_or(missing(resource))?;
         let rows = bands.half_tile_rows(band);
         let row = u64::from(halves.tiles(0).columns) * Tiles::AREA as u64;
-        self.half_part(
-            u64::from(rows.start) * row,
-            u64::from(rows.end - rows.start) * row,
-        )
+        let (first, count) = (u64::from(rows.start), u64::from(rows.end - rows.start));
+        Ok(held.part(first * row, count * row))
     }
 
-    fn half_part(&self, first: u64, count: u64) -> Option<HalfBinding<'_>> {
-        let half = self.halves.as_ref()?;
-        let color = |buffer| part(buffer, first * COLOR, count * COLOR);
-        Some(HalfBinding {
-            receivers: part(&half.receivers, first * RECEIVER, count * RECEIVER),
-            shares: color(&half.radiance),
-            sent: half.sent.as_ref().map(color),
-        })
-    }
-
-    /// A band's part of the picture.
-    pub fn picture_of(&self, bands: &Bands, band: u32) -> BufferBinding<'_> {
-        let (offset, size) = bands.picture_range(band);
-        part(&self.picture, offset, size)
+    fn held(&self, resource: Resource, at: Domain) -> Option<&Held> {
+        self.0.iter().find(|held| held.is(resource, at))
     }
 }
 
-fn part(buffer: &Buffer, offset: u64, size: u64) -> BufferBinding<'_> {
-    BufferBinding {
-        buffer,
-        offset,
-        size: BufferSize::new(size),
+impl Held {
+    fn is(&self, resource: Resource, at: Domain) -> bool {
+        (self.memory, self.at) == (resource.memory, at)
+    }
+
+    fn part(&self, first: u64, count: u64) -> BufferBinding<'_> {
+        BufferBinding {
+            buffer: &self.buffer,
+            offset: first * self.stride,
+            size: BufferSize::new(count * self.stride),
+        }
+    }
+}
+
+/// Bytes of a pixel of the picture, which its range counts in.
+const PIXEL: u64 = 16;
+
+/// How many elements a buffer of a resource has; none where it is none of these.
+fn elements(resource: Resource, at: Domain, bands: &Bands, halves: Option<&Bands>) -> Option<u64> {
+    let all = |bands: &Bands, of: &dyn Fn(u32) -> u64| (0..bands.count()).map(of).sum::<u64>();
+    let count = match at {
+        Domain::Samples => {
+            let one = bands.receivers(0);
+            match halves {
+                // Nobody reads the albedo at half resolution, but it is written, a band at a time.
+                Some(halves) if resource == ALBEDO => one.max(halves.receivers(0)),
+                _ => one,
+            }
+        }
+        Domain::Halves => all(halves?, &|band| halves.map_or(0, |h| h.receivers(band))),
+        Domain::Pixels => all(bands, &|band| bands.picture_range(band).1 / PIXEL),
+        _ => return None,
+    };
+    (resource.bytes > 0).then_some(count)
+}
+
+/// Some are read back, some are cleared, and a usage costs nothing.
+fn usage(at: Domain) -> BufferUsages {
+    match at {
+        Domain::Pixels => BufferUsages::STORAGE | BufferUsages::COPY_SRC,
+        _ => BufferUsages::STORAGE | BufferUsages::COPY_DST,
+    }
+}
+
+/// How tables call memory of a domain.
+fn name(memory: &'static str, at: Domain) -> Cow<'static, str> {
+    match at {
+        Domain::Halves => format!("half_{memory}").into(),
+        _ => memory.into(),
+    }
+}
+
+fn missing(resource: Resource) -> Error {
+    Error::NoResource {
+        resource: resource.name,
     }
 }

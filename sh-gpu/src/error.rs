@@ -139,6 +139,12 @@ pub enum Error {
         /// Its name.
         pass: &'static str,
     },
+    /// Something that no pass of the plan makes.
+    #[error("no pass of this plan makes the {resource} that another one is bound to")]
+    NoResource {
+        /// What it is.
+        resource: &'static str,
+    },
     /// The device ran out of memory while it made what was asked for. What was made before stays usable.
     #[error("the device has no memory left for this; free some of it, or ask for less")]
     OutOfMemory,

@@ -1,6 +1,7 @@
 //! The G-buffer pass: position, normal and albedo where the camera's rays first meet a surface.
 
-use crate::pipeline::{Kernel, buffer_entry, texture_bytes, texture_entry};
+use crate::layout::Layout;
+use crate::pipeline::{Kernel, texture_bytes};
 use crate::records::Vertex;
 use crate::scope::checked;
 use crate::slot::Slot;
@@ -9,9 +10,8 @@ use sh_kernels::{MIN_ORDER, Pass};
 use sh_scene::Receiver;
 use std::sync::Arc;
 use wgpu::{
-    BindGroup, BindGroupEntry, BindingResource, BufferBinding, BufferBindingType, CommandEncoder,
-    Device, RenderPass, RenderPipeline, ShaderModule, ShaderStages, TextureFormat, TextureUsages,
-    TextureView, VertexAttribute, VertexFormat,
+    BindGroup, BindingResource, BufferBinding, CommandEncoder, Device, RenderPass, RenderPipeline,
+    ShaderModule, TextureFormat, TextureUsages, TextureView, VertexAttribute, VertexFormat,
 };
 
 /// Rasterises the bands of a grid through a picture and packs them into receivers and albedo, tile by tile.
@@ -23,10 +23,10 @@ use wgpu::{
 /// ```no_run
 /// # use sh_gpu::{Bands, Bodies, Error, GbufferPass};
 /// # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, bands: &Bands,
-/// #     bodies: &Bodies, receivers: &wgpu::Buffer, albedos: &wgpu::Buffer) -> Result<(), Error> {
+/// #     bodies: &Bodies, receivers: &wgpu::Buffer, albedo: &wgpu::Buffer) -> Result<(), Error> {
 /// let pass = GbufferPass::new(device, bands)?;
-/// let (receivers, albedos) = (receivers.as_entire_buffer_binding(), albedos.as_entire_buffer_binding());
-/// let bound = pass.bind(device, receivers, albedos)?;
+/// let (receivers, albedo) = (receivers.as_entire_buffer_binding(), albedo.as_entire_buffer_binding());
+/// let bound = pass.bind(device, receivers, albedo)?;
 /// // every frame, after `bands.prepare` and `bodies.prepare`; here the first band alone
 /// pass.record(encoder, bands, 0, bodies, &bound, None);
 /// # Ok(())
@@ -96,27 +96,10 @@ impl GbufferPass {
         )?;
         checked(device, || {
             let of = (Pass::Gbuffer, MIN_ORDER, MIN_ORDER);
-            let uniform = BufferBindingType::Uniform;
-            let band_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some("gaunt band"),
-                entries: &[buffer_entry(
-                    0,
-                    ShaderStages::VERTEX_FRAGMENT,
-                    uniform,
-                    true,
-                )],
-            });
-            let body_layout = Bodies::layout(device);
-            let band = device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("gaunt band"),
-                layout: &band_layout,
-                entries: &[BindGroupEntry {
-                    binding: 0,
-                    resource: bands.binding(),
-                }],
-            });
-            let both = [Some(&band_layout), Some(&body_layout)];
-            let names = ["body_vertex", "body_fragment"];
+            let names = Bodies::ENTRIES;
+            let [every, body] = Layout::of_raster(device, Pass::Gbuffer, names);
+            let band = every.bind(device, &[("band", bands.binding())]);
+            let both = [Some(&every.layout), Some(&body.layout)];
             let bodies = drawn.bodies.then(|| {
                 pipelines.raster(of, names[1], |module| {
                     raster(device, module, names, &both, true)
@@ -129,31 +112,16 @@ impl GbufferPass {
                 })
             });
 
-            let compute = ShaderStages::COMPUTE;
-            let uint = wgpu::TextureSampleType::Uint;
-            let write = BufferBindingType::Storage { read_only: false };
-            let own = [
-                buffer_entry(0, compute, uniform, true),
-                texture_entry(1, compute, uint),
-                texture_entry(2, compute, uint),
-            ];
-            let buffers = [
-                buffer_entry(0, compute, write, false),
-                buffer_entry(1, compute, write, false),
-            ];
-            let pack = pipelines.kernel(of, "pack", [&own, &buffers])?;
+            let pack = pipelines.kernel(of, "pack")?;
             let targets =
                 [Self::COLOR, Self::COLOR, Self::DEPTH].map(|format| target(device, bands, format));
-            let entry = |binding, resource| BindGroupEntry { binding, resource };
             let [place, surface, _] = &targets;
-            let sources = pack.own(
-                device,
-                &[
-                    entry(0, bands.binding()),
-                    entry(1, BindingResource::TextureView(place)),
-                    entry(2, BindingResource::TextureView(surface)),
-                ],
-            );
+            let own = [
+                ("band", bands.binding()),
+                ("places", BindingResource::TextureView(place)),
+                ("surfaces", BindingResource::TextureView(surface)),
+            ];
+            let sources = pack.own(device, &own);
             Ok(Self {
                 bodies: bodies.transpose()?,
                 ground: ground.transpose()?,
@@ -171,18 +139,18 @@ impl GbufferPass {
         self.targets.iter().map(bytes).sum()
     }
 
-    /// Binds receivers ([`Receiver`], 32 bytes each) and albedos (red, green, blue, 0 as `vec4f`, 16 bytes
+    /// Binds receivers ([`Receiver`], 32 bytes each) and albedo (red, green, blue, 0 as `vec4f`, 16 bytes
     /// each), both written. The size of `receivers` must be that of the band's tiles
     /// ([`Bands::receivers`]); the part of these that lies beyond the grid is written as not covered.
     pub fn bind(
         &self,
         device: &Device,
         receivers: BufferBinding<'_>,
-        albedos: BufferBinding<'_>,
+        albedo: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
         let receivers = Slot::counting("receivers", size_of::<Receiver>() as u64, receivers);
         self.pack
-            .bind(device, &[receivers, Slot::with("albedos", 16, 1, albedos)])
+            .bind(device, &[receivers, Slot::with("albedo", 16, 1, albedo)])
     }
 
     /// Records a render pass that draws one band of the ground (if there is one) and of the bodies, and a

@@ -1,17 +1,14 @@
 //! The irradiance pass: light without blockers, for every receiver (Ren et al. 2006, equation 9).
 
 use crate::lighting::Lit;
-use crate::pipeline::{Kernel, buffer_entry};
+use crate::pipeline::Kernel;
 use crate::scope::checked;
 use crate::slot::Slot;
 use crate::{Bound, Error, Pipelines};
 use sh_kernels::Pass;
 use sh_scene::{Light, Limits, Receiver};
 use std::sync::Arc;
-use wgpu::{
-    BindGroup, BufferBinding, BufferBindingType, CommandEncoder, ComputePassTimestampWrites,
-    Device, Queue, ShaderStages,
-};
+use wgpu::{BindGroup, BufferBinding, CommandEncoder, ComputePassTimestampWrites, Device, Queue};
 
 /// Light without blockers, on the host's device, queue and encoder. Used as [`ShadowPass`](crate::ShadowPass) is.
 ///
@@ -51,14 +48,9 @@ impl IrradiancePass {
         let device = pipelines.device();
         checked(device, || {
             let lit = Lit::new(device, order, max_emitters, distributions)?;
-            let storage = |binding, read_only| {
-                let ty = BufferBindingType::Storage { read_only };
-                buffer_entry(binding, ShaderStages::COMPUTE, ty, false)
-            };
-            let groups = [&Lit::layout(0)[..], &[storage(0, true), storage(1, false)]];
             let of = (Pass::Irradiance, order, order);
-            let kernel = pipelines.specialised(of, "irradiance", groups, &lit.lamps())?;
-            let group = kernel.own(device, &lit.entries(0));
+            let kernel = pipelines.specialised(of, "irradiance", &lit.lamps())?;
+            let group = kernel.own(device, &lit.bindings());
             Ok(Self { kernel, lit, group })
         })
     }

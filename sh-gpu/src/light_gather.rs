@@ -2,7 +2,7 @@
 
 use crate::clusters::{bind_clusters, bind_tiles};
 use crate::lighting::{buffer, room};
-use crate::pipeline::{Kernel, buffer_entry};
+use crate::pipeline::Kernel;
 use crate::scope::checked;
 use crate::slot::Slot;
 use crate::upload::{Kept, Known};
@@ -11,8 +11,8 @@ use sh_kernels::Pass;
 use sh_scene::{Blocking, Forest};
 use std::sync::Arc;
 use wgpu::{
-    BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferBindingType, BufferUsages,
-    CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
+    BindGroup, Buffer, BufferBinding, BufferUsages, CommandEncoder, ComputePassTimestampWrites,
+    Device, Queue,
 };
 
 /// The body of a node that stands for several.
@@ -65,12 +65,6 @@ impl LightGatherPass {
             let open = storage | BufferUsages::COPY_SRC;
             let emission = buffer(device, "gaunt emission", emission, open);
             let members = buffer(device, "gaunt members", members, storage);
-            let entry = |binding, ty| buffer_entry(binding, ShaderStages::COMPUTE, ty, false);
-            let read = BufferBindingType::Storage { read_only: true };
-            let written = BufferBindingType::Storage { read_only: false };
-            let own = [BufferBindingType::Uniform, read, read, read];
-            let own: Vec<_> = (0..).zip(own).map(|(at, ty)| entry(at, ty)).collect();
-            let host = [entry(0, read), entry(1, read), entry(2, written)];
             let name = match blocking {
                 Blocking::Discs => "gather_discs",
                 Blocking::Runs | Blocking::Sphere | Blocking::Object => "gather_sums",
@@ -81,16 +75,15 @@ impl LightGatherPass {
                 Blocking::Discs => &[],
                 _ => &[("BY_BODIES", by_bodies)],
             };
-            let groups = [&own[..], &host];
-            let kernel = shadow.pipelines.specialised(of, name, groups, constants)?;
-            let [lighting, _] = shadow.lit.entries(0);
-            let bound = [&shadow.nodes, &members, &emission];
-            let bound = (1..).zip(bound).map(|(binding, buffer)| BindGroupEntry {
-                binding,
-                resource: buffer.as_entire_binding(),
-            });
-            let entries: Vec<_> = std::iter::once(lighting).chain(bound).collect();
-            let group = kernel.own(device, &entries);
+            let kernel = shadow.pipelines.specialised(of, name, constants)?;
+            let [lighting, _] = shadow.lit.bindings();
+            let own = [
+                lighting,
+                ("nodes", shadow.nodes.as_entire_binding()),
+                ("members", members.as_entire_binding()),
+                ("emission", emission.as_entire_binding()),
+            ];
+            let group = kernel.own(device, &own);
             Ok(Self {
                 kernel,
                 group,

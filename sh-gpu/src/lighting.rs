@@ -1,15 +1,11 @@
 //! Light and blockers on their way to the GPU, for the passes that shade receivers.
 
 use crate::Error;
-use crate::pipeline::buffer_entry;
 use crate::records::Lighting;
 use crate::upload::Known;
 use bytemuck::Zeroable;
 use sh_scene::{Emitter, Light, Limits};
-use wgpu::{
-    BindGroupEntry, BindGroupLayoutEntry, Buffer, BufferBindingType, BufferUsages, Device, Queue,
-    ShaderStages,
-};
+use wgpu::{BindingResource, Buffer, BufferUsages, Device, Queue};
 
 /// The lighting record and analytic lights: the head of group 0 of the passes that shade receivers.
 #[derive(Debug)]
@@ -57,27 +53,11 @@ impl Lit {
         ]
     }
 
-    /// Layout entries, two from `first` on.
-    pub fn layout(first: u32) -> [BindGroupLayoutEntry; 2] {
-        let read = BufferBindingType::Storage { read_only: true };
-        let entry = |binding, ty| buffer_entry(binding, ShaderStages::COMPUTE, ty, false);
+    /// Record and analytic lights, as kernels name them.
+    pub fn bindings(&self) -> [(&'static str, BindingResource<'_>); 2] {
         [
-            entry(first, BufferBindingType::Uniform),
-            entry(first + 1, read),
-        ]
-    }
-
-    /// What goes with [`layout`](Self::layout).
-    pub fn entries(&self, first: u32) -> [BindGroupEntry<'_>; 2] {
-        [
-            BindGroupEntry {
-                binding: first,
-                resource: self.record.as_entire_binding(),
-            },
-            BindGroupEntry {
-                binding: first + 1,
-                resource: self.emitters.as_entire_binding(),
-            },
+            ("lighting", self.record.as_entire_binding()),
+            ("emitters", self.emitters.as_entire_binding()),
         ]
     }
 

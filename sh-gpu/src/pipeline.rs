@@ -1,53 +1,16 @@
 //! What all passes do alike: layouts, pipelines, dispatches, and looking bindings over before they are used.
 
 use crate::bound::Part;
+use crate::layout::Layout;
 use crate::pipelines::Specialisation;
 use crate::slot::{Slot, enough};
 use crate::{Bound, Error};
 use sh_kernels::{Pass, WORKGROUP};
 use sh_scene::Tiles;
 use wgpu::{
-    BindGroup, BindGroupEntry, BindGroupLayout, BindGroupLayoutEntry, BindingResource, BindingType,
-    BufferBindingType, ComputePassTimestampWrites, ComputePipeline, Device, ShaderModule,
-    ShaderStages,
+    BindGroup, BindingResource, BindingType, BufferBindingType, ComputePassTimestampWrites,
+    ComputePipeline, Device, ShaderModule,
 };
-
-/// A layout entry for a buffer.
-pub(crate) fn buffer_entry(
-    binding: u32,
-    visibility: ShaderStages,
-    ty: BufferBindingType,
-    has_dynamic_offset: bool,
-) -> BindGroupLayoutEntry {
-    BindGroupLayoutEntry {
-        binding,
-        visibility,
-        ty: BindingType::Buffer {
-            ty,
-            has_dynamic_offset,
-            min_binding_size: None,
-        },
-        count: None,
-    }
-}
-
-/// A layout entry for a two-dimensional texture that is read texel by texel.
-pub(crate) fn texture_entry(
-    binding: u32,
-    visibility: ShaderStages,
-    sample_type: wgpu::TextureSampleType,
-) -> BindGroupLayoutEntry {
-    BindGroupLayoutEntry {
-        binding,
-        visibility,
-        ty: BindingType::Texture {
-            sample_type,
-            view_dimension: wgpu::TextureViewDimension::D2,
-            multisampled: false,
-        },
-        count: None,
-    }
-}
 
 /// Bytes of a texture without mip levels.
 pub(crate) fn texture_bytes(texture: &wgpu::Texture) -> u64 {
@@ -86,12 +49,30 @@ pub(crate) fn module(device: &Device, of: Specialisation) -> Result<ShaderModule
     }))
 }
 
+/// Whether a device was requested with enough for a kernel of these layouts.
+fn fits(device: &Device, own: &Layout, host: &Layout) -> Result<(), Error> {
+    let limits = device.limits();
+    let all = own.entries.iter().chain(&host.entries);
+    let storage = all.filter(|entry| match &entry.ty {
+        BindingType::Buffer { ty, .. } => matches!(ty, BufferBindingType::Storage { .. }),
+        _ => false,
+    });
+    let limit = "max_storage_buffers_per_shader_stage";
+    let available = limits.max_storage_buffers_per_shader_stage.into();
+    let storage = storage.count() as u64;
+    Error::within("the number of storage buffers", storage, limit, available)?;
+    let limit = "max_compute_invocations_per_workgroup";
+    let available = limits.max_compute_invocations_per_workgroup.into();
+    Error::within("a workgroup", WORKGROUP.into(), limit, available)
+}
+
 /// A compute kernel with its layouts. Group 0 is what the pass owns, group 1 what the host may own.
 #[derive(Debug)]
 pub(crate) struct Kernel {
     pub label: String,
     pipeline: ComputePipeline,
-    pub groups: [BindGroupLayout; 2],
+    own: Layout,
+    host: Layout,
     /// Workgroups along one axis of a dispatch.
     axis: u32,
     max_binding: u64,
@@ -99,43 +80,20 @@ pub(crate) struct Kernel {
 }
 
 impl Kernel {
-    /// Whether a device was requested with enough for a kernel of these layouts.
-    pub fn fits(device: &Device, groups: [&[BindGroupLayoutEntry]; 2]) -> Result<(), Error> {
-        let limits = device.limits();
-        let count = |wanted: fn(&BindingType) -> bool| {
-            let all = groups.iter().flat_map(|group| group.iter());
-            all.filter(|entry| wanted(&entry.ty)).count() as u64
-        };
-        let storage = count(|ty| match ty {
-            BindingType::Buffer { ty, .. } => matches!(ty, BufferBindingType::Storage { .. }),
-            _ => false,
-        });
-        let limit = "max_storage_buffers_per_shader_stage";
-        let available = limits.max_storage_buffers_per_shader_stage.into();
-        Error::within("the number of storage buffers", storage, limit, available)?;
-        let limit = "max_compute_invocations_per_workgroup";
-        let available = limits.max_compute_invocations_per_workgroup.into();
-        Error::within("a workgroup", WORKGROUP.into(), limit, available)
-    }
-
-    /// With values for the shader's overrides.
+    /// Of a pass, with values for the shader's overrides.
     pub fn new(
         device: &Device,
         shader: &ShaderModule,
+        pass: Pass,
         name: &'static str,
-        groups: [&[BindGroupLayoutEntry]; 2],
         constants: &[(&str, f64)],
-    ) -> Self {
+    ) -> Result<Self, Error> {
         let label = format!("gaunt {name}");
-        let groups = groups.map(|entries| {
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some(&label),
-                entries,
-            })
-        });
+        let [own, host] = Layout::of_kernel(device, pass, name);
+        fits(device, &own, &host)?;
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(&label),
-            bind_group_layouts: &[Some(&groups[0]), Some(&groups[1])],
+            bind_group_layouts: &[Some(&own.layout), Some(&host.layout)],
             immediate_size: 0,
         });
         let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
@@ -151,23 +109,25 @@ impl Kernel {
             cache: None,
         });
         let limits = device.limits();
-        Self {
+        Ok(Self {
             label,
             pipeline,
-            groups,
+            own,
+            host,
             axis: limits.max_compute_workgroups_per_dimension,
             max_binding: limits.max_storage_buffer_binding_size,
             alignment: u64::from(limits.min_storage_buffer_offset_alignment),
-        }
+        })
     }
 
-    /// Group 0.
-    pub fn own(&self, device: &Device, entries: &[BindGroupEntry<'_>]) -> BindGroup {
-        device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(&self.label),
-            layout: &self.groups[0],
-            entries,
-        })
+    /// Group 0, by the kernel's names.
+    pub fn own(&self, device: &Device, all: &[(&str, BindingResource<'_>)]) -> BindGroup {
+        self.own.bind(device, all)
+    }
+
+    /// Group 1, by the kernel's names.
+    pub fn host(&self, device: &Device, all: &[(&str, BindingResource<'_>)]) -> BindGroup {
+        self.host.bind(device, all)
     }
 
     /// A bind group of storage buffers for group 1. The first slot that needs one element an invocation
@@ -238,18 +198,11 @@ impl Kernel {
             sizes.push(self.elements(slot)?);
         }
         let count = enough(slots, &sizes)?;
-        let entries: Vec<_> = (0..)
-            .zip(slots)
-            .map(|(binding, slot)| BindGroupEntry {
-                binding,
-                resource: BindingResource::Buffer(slot.binding.clone()),
-            })
-            .collect();
-        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(&self.label),
-            layout: &self.groups[1],
-            entries: &entries,
+        let buffers = slots.iter().map(|slot| {
+            let buffer = BindingResource::Buffer(slot.binding.clone());
+            (slot.name, buffer)
         });
+        let group = self.host(device, &buffers.collect::<Vec<_>>());
         Ok((group, count))
     }
 

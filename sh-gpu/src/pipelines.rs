@@ -5,7 +5,7 @@ use crate::pipeline::{Kernel, module};
 use sh_kernels::Pass;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use wgpu::{BindGroupLayoutEntry, Device, RenderPipeline, ShaderModule};
+use wgpu::{Device, RenderPipeline, ShaderModule};
 
 /// What tells one shader module from another: pass, order, order of accumulation.
 pub(crate) type Specialisation = (Pass, usize, usize);
@@ -67,14 +67,13 @@ impl Pipelines {
         made.kernels.len() + made.rasters.len()
     }
 
-    /// The kernel `name` of a module, with its layouts: what the pass owns and what the host may own.
+    /// The kernel `name` of a module.
     pub(crate) fn kernel(
         &self,
         of: Specialisation,
         name: &'static str,
-        groups: [&[BindGroupLayoutEntry]; 2],
     ) -> Result<Arc<Kernel>, Error> {
-        self.specialised(of, name, groups, &[])
+        self.specialised(of, name, &[])
     }
 
     /// As [`kernel`](Self::kernel), with values for the shader's overrides.
@@ -82,7 +81,6 @@ impl Pipelines {
         &self,
         of: Specialisation,
         name: &'static str,
-        groups: [&[BindGroupLayoutEntry]; 2],
         constants: &[(&'static str, f64)],
     ) -> Result<Arc<Kernel>, Error> {
         let values = constants
@@ -93,9 +91,9 @@ impl Pipelines {
         if let Some(kernel) = made.kernels.get(&key) {
             return Ok(kernel.clone());
         }
-        Kernel::fits(&self.device, groups)?;
         let module = made.module(&self.device, of)?;
-        let kernel = Arc::new(Kernel::new(&self.device, &module, name, groups, constants));
+        let kernel = Kernel::new(&self.device, &module, of.0, name, constants)?;
+        let kernel = Arc::new(kernel);
         made.kernels.insert(key, kernel.clone());
         Ok(kernel)
     }

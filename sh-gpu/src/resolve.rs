@@ -1,6 +1,6 @@
 //! The resolve pass: radiance times albedo, the environment where nothing is hit, samples to pixels.
 
-use crate::pipeline::{Kernel, buffer_entry, texture_bytes, texture_entry};
+use crate::pipeline::{Kernel, texture_bytes};
 use crate::scope::checked;
 use crate::slot::Slot;
 use crate::upload::Kept;
@@ -9,8 +9,8 @@ use sh_kernels::{MIN_ORDER, Pass};
 use sh_scene::{EnvironmentMap, Receiver, View};
 use std::sync::Arc;
 use wgpu::{
-    BindGroup, BindGroupEntry, BindingResource, BufferBinding, BufferBindingType, CommandEncoder,
-    ComputePassTimestampWrites, Device, Queue, ShaderStages, Texture,
+    BindGroup, BindingResource, BufferBinding, CommandEncoder, ComputePassTimestampWrites, Device,
+    Queue, Texture,
 };
 
 /// Samples to pixels, on the host's device and encoder.
@@ -66,20 +66,8 @@ impl ResolvePass {
         )?;
         check(environment)?;
         checked(device, || {
-            let compute = ShaderStages::COMPUTE;
-            let float = wgpu::TextureSampleType::Float { filterable: false };
-            let own = [
-                buffer_entry(0, compute, BufferBindingType::Uniform, true),
-                texture_entry(1, compute, float),
-            ];
-            let host = [0, 1, 2, 3].map(|binding| {
-                let ty = BufferBindingType::Storage {
-                    read_only: binding < 3,
-                };
-                buffer_entry(binding, compute, ty, false)
-            });
             let of = (Pass::Resolve, MIN_ORDER, MIN_ORDER);
-            let kernel = pipelines.kernel(of, "resolve", [&own, &host])?;
+            let kernel = pipelines.kernel(of, "resolve")?;
             let descriptor = wgpu::TextureDescriptor {
                 label: Some("gaunt environment"),
                 size: wgpu::Extent3d {
@@ -101,9 +89,8 @@ impl ResolvePass {
                 label: Some("gaunt environment"),
                 ..Default::default()
             });
-            let entry = |binding, resource| BindGroupEntry { binding, resource };
-            let map = entry(1, BindingResource::TextureView(&map));
-            let group = kernel.own(device, &[entry(0, bands.binding()), map]);
+            let map = ("environment", BindingResource::TextureView(&map));
+            let group = kernel.own(device, &[("band", bands.binding()), map]);
             Ok(Self {
                 kernel,
                 group,

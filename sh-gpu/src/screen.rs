@@ -1,6 +1,6 @@
 //! The screen pass: a host's own G-buffer as receivers, and radiance back into its texture.
 
-use crate::pipeline::{Kernel, buffer_entry, texture_entry};
+use crate::pipeline::Kernel;
 use crate::records::ScreenSource;
 use crate::scope::checked;
 use crate::upload::{Kept, write};
@@ -10,9 +10,8 @@ use sh_kernels::{MIN_ORDER, Pass};
 use sh_scene::{Receiver, Tiles};
 use std::sync::Arc;
 use wgpu::{
-    BindGroup, BindGroupEntry, BindingResource, Buffer, BufferBinding, BufferBindingType,
-    BufferUsages, CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
-    TextureFormat, TextureSampleType,
+    BindGroup, BindingResource, Buffer, BufferBinding, BufferUsages, CommandEncoder,
+    ComputePassTimestampWrites, Device, Queue, TextureFormat,
 };
 
 /// Bytes from one part's record to the next: the alignment that every device grants for dynamic offsets.
@@ -106,16 +105,13 @@ impl ScreenPass {
                 usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             });
-            let source = BindGroupEntry {
-                binding: 0,
-                resource: BindingResource::Buffer(BufferBinding {
-                    buffer: &record,
-                    offset: 0,
-                    size: wgpu::BufferSize::new(size_of::<ScreenSource>() as u64),
-                }),
-            };
-            let groups =
-                [&from, &to].map(|kernel| kernel.own(device, std::slice::from_ref(&source)));
+            let source = BindingResource::Buffer(BufferBinding {
+                buffer: &record,
+                offset: 0,
+                size: wgpu::BufferSize::new(size_of::<ScreenSource>() as u64),
+            });
+            let own = [("source", source)];
+            let groups = [&from, &to].map(|kernel| kernel.own(device, &own));
             let parts = (0..count).map(|part| {
                 let first = part * rows;
                 let tiles = u64::from(grid.columns) * u64::from(rows.min(grid.rows - first));
@@ -216,34 +212,28 @@ impl Part {
         };
         let receivers = buffer("gaunt screen receivers", size_of::<Receiver>() as u64);
         let radiance = buffer("gaunt screen radiance", 16);
-        let entry = |binding, resource| BindGroupEntry { binding, resource };
-        let view = |binding, view| entry(binding, BindingResource::TextureView(view));
-        let (Position::Texture(position) | Position::Depth(position)) = textures.position;
-        let bound = |kernel: &Kernel, entries: &[BindGroupEntry<'_>]| {
-            let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some(&kernel.label),
-                layout: &kernel.groups[1],
-                entries,
-            });
+        let view = |name, view| (name, BindingResource::TextureView(view));
+        let position = match textures.position {
+            Position::Texture(position) => view("positions", position),
+            Position::Depth(depth) => view("depths", depth),
+        };
+        let bound = |kernel: &Kernel, all: &[(&str, BindingResource<'_>)]| {
+            let group = kernel.host(device, all);
             Ok::<_, Error>(Bound::new(group, kernel.workgroups(pixels)?))
         };
+        let read = [
+            ("receivers", receivers.as_entire_binding()),
+            view("normals", textures.normal),
+            position,
+        ];
+        let written = [
+            ("radiance", radiance.as_entire_binding()),
+            view("target_texture", textures.radiance),
+        ];
         Ok(Self {
             first_row,
-            from: bound(
-                from,
-                &[
-                    entry(0, receivers.as_entire_binding()),
-                    view(1, textures.normal),
-                    view(2, position),
-                ],
-            )?,
-            to: bound(
-                to,
-                &[
-                    entry(0, radiance.as_entire_binding()),
-                    view(1, textures.radiance),
-                ],
-            )?,
+            from: bound(from, &read)?,
+            to: bound(to, &written)?,
             receivers,
             radiance,
         })
@@ -255,35 +245,13 @@ fn kernels(
     pipelines: &Pipelines,
     position: Position<'_>,
 ) -> Result<(Arc<Kernel>, Arc<Kernel>), Error> {
-    let compute = ShaderStages::COMPUTE;
-    let own = [buffer_entry(0, compute, BufferBindingType::Uniform, true)];
-    let storage = |read_only| {
-        let ty = BufferBindingType::Storage { read_only };
-        buffer_entry(0, compute, ty, false)
-    };
-    let float = TextureSampleType::Float { filterable: false };
-    let (name, place) = match position {
-        Position::Texture(_) => ("from_positions", float),
-        Position::Depth(_) => ("from_depth", TextureSampleType::Depth),
-    };
-    let read = [
-        storage(false),
-        texture_entry(1, compute, float),
-        texture_entry(2, compute, place),
-    ];
-    let target = wgpu::BindGroupLayoutEntry {
-        binding: 1,
-        visibility: compute,
-        ty: wgpu::BindingType::StorageTexture {
-            access: wgpu::StorageTextureAccess::WriteOnly,
-            format: ScreenPass::RADIANCE,
-            view_dimension: wgpu::TextureViewDimension::D2,
-        },
-        count: None,
+    let name = match position {
+        Position::Texture(_) => "from_positions",
+        Position::Depth(_) => "from_depth",
     };
     let of = (Pass::Screen, MIN_ORDER, MIN_ORDER);
     Ok((
-        pipelines.kernel(of, name, [&own, &read])?,
-        pipelines.kernel(of, "to_texture", [&own, &[storage(true), target]])?,
+        pipelines.kernel(of, name)?,
+        pipelines.kernel(of, "to_texture")?,
     ))
 }

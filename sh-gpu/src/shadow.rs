@@ -3,7 +3,7 @@
 
 use crate::clusters::{bind_clusters, bind_tiles};
 use crate::lighting::{Lit, buffer, room};
-use crate::pipeline::{Kernel, buffer_entry};
+use crate::pipeline::Kernel;
 use crate::scope::checked;
 use crate::slot::Slot;
 use crate::upload::{Kept, Known};
@@ -12,8 +12,8 @@ use sh_kernels::Pass;
 use sh_scene::{Forest, Light, Limits, Node, Sphere};
 use std::sync::Arc;
 use wgpu::{
-    BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferBindingType, BufferUsages,
-    CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
+    BindGroup, Buffer, BufferBinding, BufferUsages, CommandEncoder, ComputePassTimestampWrites,
+    Device, Queue,
 };
 
 /// How a [`ShadowPass`] is made.
@@ -133,24 +133,14 @@ impl ShadowPass {
             let lit = Lit::new(device, order, max_emitters, distributions)?;
             let room = room(device, "room for blockers", max_nodes, size_of::<Node>())?;
             let nodes = buffer(device, "gaunt blockers", room, BufferUsages::STORAGE);
-            let storage = |binding, read_only| {
-                let ty = BufferBindingType::Storage { read_only };
-                buffer_entry(binding, ShaderStages::COMPUTE, ty, false)
-            };
-            let host = [storage(0, true), storage(1, true), storage(2, false)];
-            let [record, emitters] = Lit::layout(0);
-            let own = [record, emitters, storage(2, true)];
             let pass = match output {
                 Output::Radiance => Pass::Shadow,
                 Output::Light => Pass::ShadowedLight,
             };
             let of = (pass, order, accumulation);
-            let kernel = pipelines.specialised(of, pass.name(), [&own, &host], &lit.lamps())?;
-            let [record, emitters] = lit.entries(0);
-            let blockers = BindGroupEntry {
-                binding: 2,
-                resource: nodes.as_entire_binding(),
-            };
+            let kernel = pipelines.specialised(of, pass.name(), &lit.lamps())?;
+            let [record, emitters] = lit.bindings();
+            let blockers = ("nodes", nodes.as_entire_binding());
             let group = kernel.own(device, &[record, emitters, blockers]);
             Ok(Self {
                 kernel,

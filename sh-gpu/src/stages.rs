@@ -1,15 +1,17 @@
 //! The passes of a plan on the GPU: how each is made, bound to the buffers of a frame, and recorded.
 
 use crate::buffers::Buffers;
+use crate::plain::Plain;
 use crate::{
-    Bands, Bodies, Bound, Drawn, Error, GbufferPass, IrradiancePass, LightGatherPass,
+    Bands, Bodies, Bound, Drawn, Error, GbufferPass, HalfBinding, IrradiancePass, LightGatherPass,
     LightUpdatePass, Pipelines, ResolvePass, RestBinding, ShadowOptions, ShadowPass, Shining,
     UpsampleBound, UpsamplePass,
 };
 use sh_scene::passes::{
     GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, RESOLVE, SCATTER, SHADOW, SHARES, UPSAMPLE,
 };
-use sh_scene::{Domain, Pass, Plan, Planned, Scene, resource};
+use sh_scene::resource::{ALBEDO, EMISSION, PICTURE, RADIANCE, RECEIVERS, SENT, SHARE, UPSAMPLED};
+use sh_scene::{Domain, Pass, Plan, Planned, Resource, Scene};
 use std::sync::Arc;
 use wgpu::{Buffer, BufferBinding, CommandEncoder, ComputePassTimestampWrites, Device, Queue};
 
@@ -63,6 +65,7 @@ pub(crate) enum Work {
         pass: ResolvePass,
         bound: Vec<Bound>,
     },
+    Plain(Plain),
 }
 
 /// What a stage is recorded with.
@@ -136,6 +139,7 @@ impl Stage {
             Work::Resolve { pass, bound } => {
                 pass.record(encoder, bands, band, &bound[at], writes);
             }
+            Work::Plain(plain) => plain.record(encoder, bands, band, writes),
         }
     }
 
@@ -149,7 +153,8 @@ impl Stage {
             | Work::Shadow { bound, .. }
             | Work::LightGather { bound, .. }
             | Work::Shares { bound, .. }
-            | Work::Resolve { bound, .. } => all(bound),
+            | Work::Resolve { bound, .. }
+            | Work::Plain(Plain { bound, .. }) => all(bound),
             Work::Upsample { bound, .. } => bound.iter().map(UpsampleBound::dispatches).sum(),
             Work::Scatter { bound, .. } => {
                 let bands = bound.iter().map(UpsampleBound::scatter_dispatches);
@@ -196,7 +201,7 @@ pub(crate) struct Setup<'a> {
 /// How a pass of the table is made.
 type Make = fn(&Setup, Domain) -> Result<Work, Error>;
 
-/// All of them.
+/// Those that are more than a kernel over buffers of the frame; all others are [`Plain`].
 static MAKERS: [(&Pass, Make); 9] = [
     (&LIGHT_UPDATE, light_update),
     (&GBUFFER, gbuffer),
@@ -238,7 +243,7 @@ pub(crate) fn shadow_pass(
 
 /// Whether spheres send light on.
 pub(crate) fn sends(plan: &Plan) -> bool {
-    plan.touches(resource::EMISSION)
+    plan.touches(EMISSION)
 }
 
 fn emitters(scene: &Scene) -> u32 {
@@ -255,39 +260,50 @@ impl Setup<'_> {
     /// One pass of the plan.
     pub fn stage(&self, planned: &Planned) -> Result<Stage, Error> {
         let maker = MAKERS.iter().find(|(pass, _)| planned.is(pass));
-        let (_, make) = maker.ok_or(Error::NoPass {
-            pass: planned.name(),
-        })?;
+        let work = match maker {
+            Some((_, make)) => make(self, planned.at)?,
+            None => Work::Plain(Plain::new(self, planned)?),
+        };
         Ok(Stage {
             pass: planned.pass,
             at: planned.at,
-            work: make(self, planned.at)?,
+            work,
         })
+    }
+
+    /// A band's part of a resource of a domain.
+    pub fn part(&self, what: Resource, at: Domain, band: u32) -> Result<BufferBinding<'_>, Error> {
+        self.buffers.band(what, at, self.bands_of(at)?, band)
     }
 
     /// Binds receivers and something written for each of them, of every band of a domain.
     fn each(
         &self,
         at: Domain,
-        bind: impl Fn(&Device, [BufferBinding<'_>; 3]) -> Result<Bound, Error>,
+        written: Resource,
+        bind: impl Fn(&Device, [BufferBinding<'_>; 2]) -> Result<Bound, Error>,
     ) -> Result<Vec<Bound>, Error> {
-        let bands = self.bands_of(at)?;
-        let of = |band| match at {
-            Domain::Halves => self.buffers.half_band(bands, band).ok_or(NO_HALVES),
-            _ => Ok(self.buffers.samples(bands, band)),
-        };
-        (0..bands.count())
-            .map(|band| bind(self.device, of(band)?))
-            .collect()
+        let bound = (0..self.bands_of(at)?.count()).map(|band| {
+            let receivers = self.part(RECEIVERS, at, band)?;
+            bind(self.device, [receivers, self.part(written, at, band)?])
+        });
+        bound.collect()
     }
 
     fn upsampled(&self) -> Result<(Arc<UpsamplePass>, Vec<UpsampleBound>), Error> {
         let (bands, pass) = (self.bands, self.upsample()?);
-        let halves = self.bands_of(Domain::Halves)?;
+        let both = [bands, self.bands_of(Domain::Halves)?];
         let bound = (0..bands.count()).map(|band| {
-            let under = self.buffers.under(bands, halves, band).ok_or(NO_HALVES)?;
-            let [receivers, _, radiance] = self.buffers.samples(bands, band);
-            pass.bind(self.device, under, receivers, radiance)
+            let under = |what| self.buffers.under(what, both, band);
+            let sent = self.buffers.get(SENT, Domain::Halves);
+            let halves = HalfBinding {
+                receivers: under(RECEIVERS)?,
+                shares: under(SHARE)?,
+                sent: sent.map(|_| under(SENT)).transpose()?,
+            };
+            let receivers = self.part(RECEIVERS, Domain::Samples, band)?;
+            let radiance = self.part(UPSAMPLED, Domain::Samples, band)?;
+            pass.bind(self.device, halves, receivers, radiance)
         });
         let bound = bound.collect::<Result<_, Error>>()?;
         Ok((pass, bound))
@@ -303,7 +319,7 @@ impl Setup<'_> {
         bands.map(|rest| bind(self.device, rest)).collect()
     }
 
-    fn bands_of(&self, at: Domain) -> Result<&Bands, Error> {
+    pub fn bands_of(&self, at: Domain) -> Result<&Bands, Error> {
         match at {
             Domain::Halves => self.halves.ok_or(NO_HALVES),
             _ => Ok(self.bands),
@@ -351,9 +367,14 @@ fn gbuffer(setup: &Setup, at: Domain) -> Result<Work, Error> {
         ground: setup.scene.ground.is_some(),
     };
     let pass = GbufferPass::drawing(setup.pipelines, setup.bands_of(at)?, drawn)?;
-    let bound = setup.each(at, |device, [receivers, albedo, _]| {
-        pass.bind(device, receivers, albedo)
-    })?;
+    let bands = setup.bands_of(at)?;
+    let bound = (0..bands.count()).map(|band| {
+        let receivers = setup.part(RECEIVERS, at, band)?;
+        // That at half resolution goes where that of samples comes later: nobody reads it.
+        let albedo = setup.buffers.band(ALBEDO, Domain::Samples, bands, band)?;
+        pass.bind(setup.device, receivers, albedo)
+    });
+    let bound = bound.collect::<Result<_, Error>>()?;
     Ok(Work::Gbuffer { pass, bound })
 }
 
@@ -361,7 +382,7 @@ fn irradiance(setup: &Setup, at: Domain) -> Result<Work, Error> {
     let order = setup.scene.settings.order;
     let (count, uneven) = (emitters(setup.scene), distributions(setup.scene));
     let pass = IrradiancePass::with(setup.pipelines, order, count, uneven)?;
-    let bound = setup.each(at, |device, [receivers, _, radiance]| {
+    let bound = setup.each(at, RADIANCE, |device, [receivers, radiance]| {
         pass.bind(device, receivers, radiance)
     })?;
     Ok(Work::Irradiance { pass, bound })
@@ -373,7 +394,7 @@ fn shadow(setup: &Setup, at: Domain) -> Result<Work, Error> {
         Domain::Rest => setup.rest(|device, rest| {
             pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
         })?,
-        _ => setup.each(at, |device, [receivers, _, radiance]| {
+        _ => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
             pass.bind(device, receivers, radiance)
         })?,
     };
@@ -385,18 +406,15 @@ fn light_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
     let bound = match at {
         // What is sent is interpolated apart from the light that blockers leave a share of.
         Domain::Halves => {
-            cleared = setup.buffers.half_sent().cloned();
-            let bands = setup.bands_of(at)?;
-            let bound = (0..bands.count()).map(|band| {
-                let half = setup.buffers.half(bands, band).ok_or(NO_HALVES)?;
-                pass.bind(setup.device, half.receivers, half.sent.ok_or(NO_HALVES)?)
-            });
-            bound.collect::<Result<_, Error>>()?
+            cleared = setup.buffers.get(SENT, at).cloned();
+            setup.each(at, SENT, |device, [receivers, sent]| {
+                pass.bind(device, receivers, sent)
+            })?
         }
         Domain::Rest => setup.rest(|device, rest| {
             pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
         })?,
-        _ => setup.each(at, |device, [receivers, _, radiance]| {
+        _ => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
             pass.bind(device, receivers, radiance)
         })?,
     };
@@ -408,38 +426,46 @@ fn light_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
 }
 
 fn shares(setup: &Setup, at: Domain) -> Result<Work, Error> {
-    let (halves, pass) = (setup.bands_of(at)?, setup.upsample()?);
-    let bound = (0..halves.count()).map(|band| {
-        let half = setup.buffers.half(halves, band).ok_or(NO_HALVES)?;
-        pass.bind_shares(setup.device, half)
-    });
-    let bound = bound.collect::<Result<_, _>>()?;
+    let pass = setup.upsample()?;
+    let bound = setup.each(at, SHARE, |device, [receivers, shares]| {
+        let halves = HalfBinding {
+            receivers,
+            shares,
+            sent: None,
+        };
+        pass.bind_shares(device, halves)
+    })?;
     Ok(Work::Shares { pass, bound })
 }
 
 fn resolve(setup: &Setup, _: Domain) -> Result<Work, Error> {
-    let (bands, buffers) = (setup.bands, setup.buffers);
+    let bands = setup.bands;
     let environment = &setup.scene.environment;
     let pass = ResolvePass::with(setup.pipelines, setup.queue, bands, environment)?;
     let bound = (0..bands.count()).map(|band| {
-        let [receivers, albedo, radiance] = buffers.samples(bands, band);
-        let picture = buffers.picture_of(bands, band);
-        pass.bind(setup.device, receivers, albedo, radiance, picture)
+        let sample = |what| setup.part(what, Domain::Samples, band);
+        let lit = (sample(RECEIVERS)?, sample(ALBEDO)?, sample(RADIANCE)?);
+        let picture = setup.part(PICTURE, Domain::Pixels, band)?;
+        pass.bind(setup.device, lit.0, lit.1, lit.2, picture)
     });
-    let bound = bound.collect::<Result<_, _>>()?;
+    let bound = bound.collect::<Result<_, Error>>()?;
     Ok(Work::Resolve { pass, bound })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sh_kernels::Pass as Kernels;
     use sh_scene::PASSES;
 
     #[test]
     fn every_pass_of_the_table_is_made() {
         for pass in PASSES {
-            assert!(MAKERS.iter().any(|(made, _)| *made == pass), "{pass:?}");
+            let own = Kernels::ALL
+                .iter()
+                .any(|kernels| kernels.name() == pass.name);
+            let made = MAKERS.iter().any(|(made, _)| *made == pass);
+            assert!(made || own, "{pass:?}");
         }
-        assert_eq!(MAKERS.len(), PASSES.len());
     }
 }

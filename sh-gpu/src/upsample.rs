@@ -1,7 +1,7 @@
 //! The upsample pass: light at half resolution to samples, and what has to be shaded by itself.
 
-use crate::lighting::{Lit, buffer};
-use crate::pipeline::{Kernel, buffer_entry};
+use crate::lighting::buffer;
+use crate::pipeline::Kernel;
 use crate::records::UpsampleRule;
 use crate::scope::checked;
 use crate::slot::Slot;
@@ -10,8 +10,8 @@ use sh_kernels::Pass;
 use sh_scene::{Receiver, Tiles};
 use std::sync::Arc;
 use wgpu::{
-    BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferBindingType, BufferUsages,
-    CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
+    BindGroup, Buffer, BufferBinding, BufferUsages, CommandEncoder, ComputePassTimestampWrites,
+    Device, Queue,
 };
 
 /// A joint bilateral filter from half resolution to samples ([`sh_scene::upsample`]), and the list of those that it does not
@@ -105,38 +105,16 @@ impl UpsamplePass {
         sent: bool,
     ) -> Result<Self, Error> {
         checked(device, || {
-            let compute = ShaderStages::COMPUTE;
-            let uniform = BufferBindingType::Uniform;
-            let [lighting, emitters] = Lit::layout(1);
-            let own = [
-                buffer_entry(0, compute, uniform, true),
-                lighting,
-                emitters,
-                buffer_entry(3, compute, uniform, false),
-            ];
-            let storage = |binding: u32, read_only| {
-                let ty = BufferBindingType::Storage { read_only };
-                buffer_entry(binding, compute, ty, false)
-            };
-            let kernel = |name, constants: &[(&'static str, f64)], written: &[bool]| {
-                let host: Vec<_> = (0..)
-                    .zip(written)
-                    .map(|(binding, written)| storage(binding, !written))
-                    .collect();
+            let kernel = |name, constants: &[(&'static str, f64)]| {
                 let of = (Pass::Upsample, shadow.order(), shadow.order());
-                let pipelines = &shadow.pipelines;
-                pipelines.specialised(of, name, [&own, &host], constants)
+                shadow.pipelines.specialised(of, name, constants)
             };
             let lamps = shadow.lit.lamps();
             let [any, uneven] = lamps;
-            let shares = kernel("shares", &lamps, &[false, true])?;
-            let written = [false, false, false, true, true, true, false];
-            let upsample = kernel(
-                "upsample",
-                &[any, uneven, ("SENT", f64::from(u8::from(sent)))],
-                &written,
-            )?;
-            let scatter = kernel("scatter", &[], &[false, false, false, true])?;
+            let sent = ("SENT", f64::from(u8::from(sent)));
+            let shares = kernel("shares", &lamps)?;
+            let upsample = kernel("upsample", &[any, uneven, sent])?;
+            let scatter = kernel("scatter", &[])?;
             let rule = buffer(
                 device,
                 "gaunt upsample rule",
@@ -144,17 +122,10 @@ impl UpsamplePass {
                 BufferUsages::UNIFORM,
             );
             queue.write_buffer(&rule, 0, bytemuck::bytes_of(&UpsampleRule::OURS));
-            let [lighting, emitters] = shadow.lit.entries(1);
-            let entry = |binding, resource| BindGroupEntry { binding, resource };
-            let group = shares.own(
-                device,
-                &[
-                    entry(0, bands.binding()),
-                    lighting,
-                    emitters,
-                    entry(3, rule.as_entire_binding()),
-                ],
-            );
+            let [lighting, emitters] = shadow.lit.bindings();
+            let band = ("band", bands.binding());
+            let ours = ("rule", rule.as_entire_binding());
+            let group = shares.own(device, &[band, lighting, emitters, ours]);
             let room = |label, count: u64, stride: u64| {
                 device.create_buffer(&wgpu::BufferDescriptor {
                     label: Some(label),
@@ -249,8 +220,8 @@ impl UpsamplePass {
         ];
         let upsample = self.upsample.bind_groups(device, &slots, tiles, 1)?;
         let slots = [
-            Slot::with("clusters", 8, 0, clusters),
-            Slot::with("anew", stride, 0, anew),
+            Slot::with("shaded_clusters", 8, 0, clusters),
+            Slot::with("shaded_receivers", stride, 0, anew),
             Slot::with("shaded", 16, 0, shaded),
             Slot::counting("radiance", 16, radiance),
         ];

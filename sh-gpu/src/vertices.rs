@@ -1,6 +1,6 @@
 //! The vertices pass: a host's own vertex buffer as receivers.
 
-use crate::pipeline::{Kernel, buffer_entry};
+use crate::pipeline::Kernel;
 use crate::records::VertexSource;
 use crate::scope::checked;
 use crate::slot::Slot;
@@ -10,8 +10,8 @@ use sh_kernels::{MIN_ORDER, Pass};
 use sh_scene::Receiver;
 use std::sync::Arc;
 use wgpu::{
-    BindGroup, BindGroupEntry, Buffer, BufferBinding, BufferBindingType, BufferUsages,
-    CommandEncoder, ComputePassTimestampWrites, Device, Queue, ShaderStages,
+    BindGroup, Buffer, BufferBinding, BufferUsages, CommandEncoder, ComputePassTimestampWrites,
+    Device, Queue,
 };
 
 /// Where positions and normals lie in a vertex buffer: three `f32` each, in object space. All in bytes, all multiples
@@ -82,14 +82,8 @@ impl VertexPass {
 
     /// As [`new`](Self::new), with a pipeline that is shared.
     pub fn with(pipelines: &Pipelines) -> Result<Self, Error> {
-        let entry = |binding, ty| buffer_entry(binding, ShaderStages::COMPUTE, ty, false);
-        let storage = |binding, read_only| entry(binding, BufferBindingType::Storage { read_only });
-        let own = [entry(0, BufferBindingType::Uniform)];
-        let host = [storage(0, false), storage(1, true)];
         let of = (Pass::Vertices, MIN_ORDER, MIN_ORDER);
-        let kernel = checked(pipelines.device(), || {
-            pipelines.kernel(of, "vertices", [&own, &host])
-        })?;
+        let kernel = checked(pipelines.device(), || pipelines.kernel(of, "from_vertices"))?;
         Ok(Self { kernel })
     }
 
@@ -115,13 +109,10 @@ impl VertexPass {
                 usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             });
-            let entry = BindGroupEntry {
-                binding: 0,
-                resource: record.as_entire_binding(),
-            };
+            let source = ("source", record.as_entire_binding());
             Ok(VertexBound {
                 bound: self.kernel.bind(device, &[receivers, vertices])?,
-                group: self.kernel.own(device, &[entry]),
+                group: self.kernel.own(device, &[source]),
                 record,
                 layout,
             })

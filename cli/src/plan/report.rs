@@ -4,6 +4,7 @@ use super::Measured;
 use crate::render::Choice;
 use serde::Serialize;
 use sh_scene::{Plan, View};
+use std::borrow::Cow;
 use std::fmt;
 
 /// A pass of the plan, why it is there and what it costs.
@@ -38,7 +39,7 @@ pub struct Idle {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Memory {
     /// What is in it.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// The pass that owns or first writes it.
     pub pass: &'static str,
     /// Its size.
@@ -113,7 +114,7 @@ impl Report {
             reason: left.reason.clone(),
         });
         let memory = measured.memory.iter().map(|buffer| Memory {
-            name: buffer.name,
+            name: buffer.name.clone(),
             pass: plan.passes[buffer.pass].name(),
             bytes: buffer.bytes,
         });

@@ -45,7 +45,11 @@ impl Ledger {
         let known = self.buffers.iter_mut();
         match known.into_iter().find(|b| b.pass == pass && b.name == name) {
             Some(buffer) => buffer.bytes = buffer.bytes.max(bytes),
-            None => self.buffers.push(Buffer { name, pass, bytes }),
+            None => self.buffers.push(Buffer {
+                name: name.into(),
+                pass,
+                bytes,
+            }),
         }
     }
 

@@ -1,12 +1,11 @@
 //! The kernels of the pass.
 
 use super::memory::of;
-use crate::lighting::Lit;
-use crate::pipeline::{Kernel, buffer_entry};
+use crate::pipeline::Kernel;
 use crate::{Bound, Error, ShadowPass};
 use sh_kernels::Pass;
 use std::sync::Arc;
-use wgpu::{Buffer, BufferBindingType, Device, ShaderStages};
+use wgpu::{Buffer, Device};
 
 /// Points put in place; what spheres emit of their light; means for the nodes above.
 #[derive(Debug)]
@@ -18,27 +17,12 @@ pub(super) struct Kernels {
 
 impl Kernels {
     pub fn new(shadow: &ShadowPass) -> Result<Self, Error> {
-        let entry = |binding, ty| buffer_entry(binding, ShaderStages::COMPUTE, ty, false);
-        let storage = |binding, read_only| entry(binding, BufferBindingType::Storage { read_only });
-        let [record, _] = Lit::layout(0);
-        let own = [
-            record,
-            storage(1, true),
-            storage(2, true),
-            storage(3, true),
-            storage(4, false),
-            storage(5, true),
-            storage(6, true),
-        ];
         let specialised = (Pass::LightUpdate, shadow.order(), shadow.order());
-        let kernel = |name, read_only| {
-            let groups = [&own[..], &[storage(0, read_only)]];
-            shadow.pipelines.kernel(specialised, name, groups)
-        };
+        let kernel = |name| shadow.pipelines.kernel(specialised, name);
         Ok(Self {
-            place: kernel("place", false)?,
-            project: kernel("project", true)?,
-            raise: kernel("raise", true)?,
+            place: kernel("place")?,
+            project: kernel("project")?,
+            raise: kernel("raise")?,
         })
     }
 

@@ -8,7 +8,7 @@ use crate::slot::Slot;
 use crate::{ClusterBinding, Error, LightGatherPass, ShadowPass};
 use sh_scene::Receiver;
 use sh_scene::surface::{COEFFICIENTS, DIRECTIONS, SurfacePoint, cell_sums};
-use wgpu::{BindGroup, BindGroupEntry, Buffer, BufferUsages, Device, Queue};
+use wgpu::{BindGroup, Buffer, BufferUsages, Device, Queue};
 
 /// What a pass was made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,21 +85,17 @@ impl Memory {
         shadow: &ShadowPass,
         gather: &LightGatherPass,
     ) -> BindGroup {
-        let [record, _] = shadow.lit.entries(0);
-        let rest = [
-            &self.senders,
-            &self.points,
-            &self.cells,
-            gather.emission(),
-            &self.stands,
-            &self.exposed,
+        let [lighting, _] = shadow.lit.bindings();
+        let own = [
+            lighting,
+            ("senders", self.senders.as_entire_binding()),
+            ("points", self.points.as_entire_binding()),
+            ("cells", self.cells.as_entire_binding()),
+            ("emission", gather.emission().as_entire_binding()),
+            ("stands", self.stands.as_entire_binding()),
+            ("exposed", self.exposed.as_entire_binding()),
         ];
-        let rest = (1..).zip(rest).map(|(binding, buffer)| BindGroupEntry {
-            binding,
-            resource: buffer.as_entire_binding(),
-        });
-        let entries: Vec<_> = std::iter::once(record).chain(rest).collect();
-        kernel.own(device, &entries)
+        kernel.own(device, &own)
     }
 
     /// Each sphere's points are a cluster.

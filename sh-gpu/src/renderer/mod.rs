@@ -8,7 +8,7 @@ use crate::stages::{Recording, Setup, Stage, Work, sends, shadow_pass};
 use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, ShadowPass, Shining, UpsamplePass};
 use sent::Sent;
 use sh_scene::resource::PICTURE;
-use sh_scene::{Domain, EnvironmentMap, Forest, Light, Plan, Scene, Step, View};
+use sh_scene::{Domain, EnvironmentMap, Forest, Light, Plan, Resource, Scene, Step, View};
 use std::sync::Arc;
 use wgpu::{Buffer, CommandEncoder, Device, QuerySet, Queue};
 
@@ -52,9 +52,9 @@ pub struct Renderer {
     /// The plan: what is recorded, in order.
     steps: Vec<Step>,
     plan: Plan,
+    /// What the passes hand each other.
+    buffers: Buffers,
     picture: Buffer,
-    /// What the passes hand each other, by name, in bytes.
-    shared: Vec<(&'static str, u64)>,
     pipelines: Pipelines,
     /// Draws of a band.
     drawn: usize,
@@ -122,7 +122,7 @@ impl Renderer {
             }
             _ => None,
         };
-        let buffers = Buffers::new(device, &bands, halves.as_ref(), sends)?;
+        let buffers = Buffers::new(device, plan, &bands, halves.as_ref())?;
         let setup = Setup {
             device,
             pipelines,
@@ -145,8 +145,13 @@ impl Renderer {
             drawn: bodies.drawn() + usize::from(scene.ground.is_some()),
             sent: Sent::default(),
             bodies,
-            shared: buffers.bytes(),
-            picture: buffers.picture,
+            picture: buffers
+                .get(PICTURE, Domain::Pixels)
+                .cloned()
+                .ok_or(Error::NoResource {
+                    resource: PICTURE.name,
+                })?,
+            buffers,
             bands,
             halves,
             shadow,
@@ -292,5 +297,11 @@ impl Renderer {
     /// share of the pixel's samples that hit something. Usages `STORAGE` and `COPY_SRC`.
     pub fn picture(&self) -> &Buffer {
         &self.picture
+    }
+
+    /// Something else that the plan gives of every pixel ([`Plan::giving`]), as the picture is stored: the elements that
+    /// the resource's own documentation states. None where it does not. Usages as those of the picture.
+    pub fn given(&self, resource: Resource) -> Option<&Buffer> {
+        self.buffers.get(resource, Domain::Pixels)
     }
 }

@@ -4,8 +4,9 @@ use super::Renderer;
 use crate::stages::{Stage, Work};
 use crate::{Bands, Pipelines};
 use sh_scene::passes::{LIGHT_GATHER, SHADOW, UPSAMPLE};
-use sh_scene::resource::{ALBEDO, PICTURE, RADIANCE, RECEIVERS, SENT, UPSAMPLED};
+use sh_scene::resource::RECEIVERS;
 use sh_scene::{Domain, Pass};
+use std::borrow::Cow;
 
 impl Renderer {
     /// What light that is sent on depends on, in bytes that have been uploaded.
@@ -24,7 +25,7 @@ impl Renderer {
     }
 
     /// Bytes of GPU memory: what the passes hand each other buffer by buffer, then what each part owns.
-    pub fn bytes(&self) -> Vec<(&'static str, u64)> {
+    pub fn bytes(&self) -> Vec<(Cow<'static, str>, u64)> {
         let buffers = self.buffers().into_iter();
         buffers.map(|buffer| (buffer.name, buffer.bytes)).collect()
     }
@@ -49,22 +50,6 @@ impl Renderer {
     pub fn buffers(&self) -> Vec<sh_scene::Buffer> {
         let seen = self.plan.maker(RECEIVERS, Domain::Samples);
         let first = |pass: &Pass| self.plan.passes.iter().position(|p| p.is(pass));
-        let shared = self.shared.iter().map(|&(name, bytes)| {
-            let (resource, domain) = match name {
-                "receivers" => (RECEIVERS, Domain::Samples),
-                "albedo" => (ALBEDO, Domain::Samples),
-                "radiance" => (RADIANCE, Domain::Samples),
-                "half_receivers" => (RECEIVERS, Domain::Halves),
-                "half_radiance" => (RADIANCE, Domain::Halves),
-                "half_sent" => (SENT, Domain::Halves),
-                _ => (PICTURE, Domain::Pixels),
-            };
-            let first = match resource == RADIANCE {
-                true => self.plan.maker(UPSAMPLED, domain),
-                false => None,
-            };
-            (name, first.or(self.plan.maker(resource, domain)), bytes)
-        });
         let halves = self.halves.as_ref().map_or(0, Bands::bytes);
         let own = [
             ("bodies", seen, Some(self.bodies.bytes())),
@@ -86,17 +71,13 @@ impl Renderer {
             ),
         ];
         let own = own.into_iter();
-        let own = own.filter_map(|(name, pass, bytes)| Some((name, pass, bytes?)));
+        let own = own.filter_map(|(name, pass, bytes)| Some((name.into(), pass?, bytes?)));
         let stages = self.stages.iter().enumerate();
-        let stages = stages
-            .filter_map(|(index, stage)| Some((stage.pass.name, Some(index), stage.bytes()?)));
-        let all = shared.chain(own).chain(stages);
-        all.map(|(name, pass, bytes)| sh_scene::Buffer {
-            name,
-            pass: pass.unwrap_or(0),
-            bytes,
-        })
-        .collect()
+        let stages =
+            stages.filter_map(|(at, stage)| Some((stage.pass.name.into(), at, stage.bytes()?)));
+        let all = self.buffers.told().chain(own).chain(stages);
+        all.map(|(name, pass, bytes)| sh_scene::Buffer { name, pass, bytes })
+            .collect()
     }
 
     /// How many timestamps a frame writes.

@@ -73,6 +73,8 @@ pub struct Slot {
     pub of: Option<Domain>,
     /// What is done with it.
     pub access: Access,
+    /// What the pass's kernel calls it, or the parts of it.
+    pub bindings: &'static [&'static str],
 }
 
 impl Slot {
@@ -82,6 +84,7 @@ impl Slot {
             resource,
             of,
             access,
+            bindings: resource.bindings,
         }
     }
 
@@ -111,6 +114,11 @@ impl Slot {
             of: Some(domain),
             ..self
         }
+    }
+
+    /// By other names in the pass's kernel.
+    pub const fn named(self, bindings: &'static [&'static str]) -> Self {
+        Self { bindings, ..self }
     }
 
     /// Which resource of which domain it is for a pass that runs `at` one.

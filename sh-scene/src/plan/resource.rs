@@ -1,5 +1,7 @@
 //! What passes hand each other, as data.
 
+use std::borrow::Cow;
+
 /// What a pass runs over, and what a resource has one element for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Domain {
@@ -73,82 +75,149 @@ pub struct Resource {
     pub domain: Option<Domain>,
     /// Whether it is there before the first pass.
     pub given: bool,
+    /// Bytes of an element on a GPU, where it lies in a buffer that passes share.
+    pub bytes: u64,
+    /// The name of that buffer: one for several resources of a domain of which each is gone when the next is there.
+    pub memory: &'static str,
+    /// What kernels call it, or the parts of it.
+    pub bindings: &'static [&'static str],
 }
 
-/// Resources of this name and element: those of each set of receivers.
-const fn of_receivers(name: &'static str, element: &'static str) -> Resource {
-    Resource {
-        name,
-        element,
-        domain: None,
-        given: false,
+impl Resource {
+    /// Something that passes make, with an element for each of a domain or of each set of receivers; `bytes` an element, in
+    /// a buffer of its name, which is also what kernels call it.
+    pub const fn made(
+        name: &'static str,
+        element: &'static str,
+        domain: Option<Domain>,
+        (bytes, bindings): (u64, &'static [&'static str]),
+    ) -> Self {
+        Self {
+            name,
+            element,
+            domain,
+            given: false,
+            bytes,
+            memory: name,
+            bindings,
+        }
+    }
+
+    /// The same in the memory of another.
+    const fn within(self, other: Self) -> Self {
+        Self {
+            memory: other.memory,
+            ..self
+        }
     }
 }
 
 /// Resources that are there before the first pass.
-const fn given(name: &'static str, element: &'static str) -> Resource {
+const fn given(
+    name: &'static str,
+    element: &'static str,
+    bindings: &'static [&'static str],
+) -> Resource {
     Resource {
         name,
         element,
         domain: Some(Domain::Scene),
         given: true,
+        bytes: 0,
+        memory: name,
+        bindings,
     }
 }
 
 /// Meshes, their transforms and textures, and the ground.
-pub const SURFACES: Resource = given("surfaces", "mesh, transform and texture");
+pub const SURFACES: Resource = given(
+    "surfaces",
+    "mesh, transform and texture",
+    &["body", "base_color"],
+);
 
 /// Spheres that block light, in world space, as the leaves of a tree: [`crate::Forest`].
-pub const BLOCKERS: Resource = given("blockers", "node of a tree");
+pub const BLOCKERS: Resource = given("blockers", "node of a tree", &["nodes", "members"]);
 
 /// Points on bodies' surfaces: [`crate::SurfaceSamples`].
-pub const SURFACE_POINTS: Resource = given("surface points", "point and normal");
+pub const SURFACE_POINTS: Resource = given(
+    "surface points",
+    "point and normal",
+    &["senders", "points", "stands", "exposed"],
+);
 
 /// The environment as SH vectors, and analytic lights: [`crate::Light`].
-pub const LIGHT: Resource = given("light", "SH vector and emitters");
+pub const LIGHT: Resource = given("light", "SH vector and emitters", &["lighting", "emitters"]);
 
 /// The environment as a map: [`crate::EnvironmentMap`].
-pub const ENVIRONMENT: Resource = given("environment", "linear Rec.709 radiance of a texel");
+pub const ENVIRONMENT: Resource = given(
+    "environment",
+    "linear Rec.709 radiance of a texel",
+    &["environment"],
+);
 
-/// What each sphere sends on.
-pub const EMISSION: Resource = Resource {
-    name: "emission",
-    element: "SH vector a channel",
-    domain: Some(Domain::Spheres),
-    given: false,
-};
+/// What each sphere sends on. A GPU keeps it with the pass that gathers it.
+pub const EMISSION: Resource = Resource::made(
+    "emission",
+    "SH vector a channel",
+    Some(Domain::Spheres),
+    (0, &["emission"]),
+);
 
-/// Positions and normals to light: [`crate::Receiver`] records.
-pub const RECEIVERS: Resource = of_receivers("receivers", "position and normal");
+/// Positions and normals to light: [`crate::Receiver`] records; and which of them lie together.
+pub const RECEIVERS: Resource = Resource::made(
+    "receivers",
+    "position and normal",
+    None,
+    (32, &["receivers", "clusters"]),
+);
 
 /// Linear Rec.709 reflectance of each receiver.
-pub const ALBEDO: Resource = of_receivers("albedo", "linear Rec.709 reflectance");
+pub const ALBEDO: Resource = Resource::made(
+    "albedo",
+    "linear Rec.709 reflectance",
+    None,
+    (16, &["albedo"]),
+);
 
 /// Radiance that albedo 1 would reflect at each receiver.
-pub const RADIANCE: Resource = of_receivers("radiance", "linear Rec.709 radiance");
+pub const RADIANCE: Resource = Resource::made(
+    "radiance",
+    "linear Rec.709 radiance",
+    None,
+    (16, &["radiance"]),
+);
 
 /// The share of its light that each receiver gets through the blockers; in the memory of its radiance.
-pub const SHARE: Resource = of_receivers("share", "share of a channel");
+pub const SHARE: Resource =
+    Resource::made("share", "share of a channel", None, (16, &[])).within(RADIANCE);
 
 /// Radiance of samples, where half resolution does for it; in the memory of their radiance.
-pub const UPSAMPLED: Resource = of_receivers("upsampled radiance", "linear Rec.709 radiance");
+pub const UPSAMPLED: Resource = Resource::made(
+    "upsampled radiance",
+    "linear Rec.709 radiance",
+    None,
+    (16, &["radiance"]),
+)
+.within(RADIANCE);
 
 /// What spheres send to each receiver, where it is kept apart from other light.
-pub const SENT: Resource = of_receivers("sent", "linear Rec.709 radiance");
+pub const SENT: Resource =
+    Resource::made("sent", "linear Rec.709 radiance", None, (16, &["radiance"]));
 
 /// The picture.
-pub const PICTURE: Resource = Resource {
-    name: "picture",
-    element: "linear Rec.709 radiance",
-    domain: Some(Domain::Pixels),
-    given: false,
-};
+pub const PICTURE: Resource = Resource::made(
+    "picture",
+    "linear Rec.709 radiance",
+    Some(Domain::Pixels),
+    (16, &["picture"]),
+);
 
 /// Memory that the passes of a plan work in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Buffer {
     /// What is in it.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// Index of the pass that owns or writes it, in the plan.
     pub pass: usize,
     /// Its size.

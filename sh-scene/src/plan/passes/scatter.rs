@@ -9,9 +9,10 @@ pub static SCATTER: Pass = Pass {
     name: "scatter",
     slots: |_| {
         vec![
-            Slot::read(RECEIVERS),
-            Slot::read(RADIANCE),
-            Slot::read(UPSAMPLED).of(Domain::Samples),
+            Slot::read(RECEIVERS).named(&["shaded_receivers", "shaded_clusters"]),
+            Slot::read(RADIANCE).named(&["shaded"]),
+            // What it writes lies among that.
+            Slot::read(UPSAMPLED).of(Domain::Samples).named(&[]),
             Slot::write(RADIANCE).of(Domain::Samples),
         ]
     },

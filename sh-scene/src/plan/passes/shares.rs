@@ -9,10 +9,10 @@ pub static SHARES: Pass = Pass {
     name: "shares",
     slots: |_| {
         vec![
-            Slot::read(RECEIVERS),
+            Slot::read(RECEIVERS).named(&["half_receivers"]),
             Slot::read(LIGHT),
-            Slot::read(RADIANCE),
-            Slot::write(SHARE),
+            Slot::read(RADIANCE).named(&["half_radiance"]),
+            Slot::write(SHARE).named(&["half_radiance"]),
         ]
     },
     wanted: |facts| {

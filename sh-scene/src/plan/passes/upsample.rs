@@ -8,13 +8,19 @@ pub static UPSAMPLE: Pass = Pass {
     name: "upsample",
     slots: |_| {
         vec![
-            Slot::read(RECEIVERS).of(Domain::Halves),
-            Slot::read(SHARE).of(Domain::Halves),
-            Slot::read_if_any(SENT).of(Domain::Halves),
-            Slot::read(RECEIVERS),
+            Slot::read(RECEIVERS)
+                .of(Domain::Halves)
+                .named(&["half_receivers"]),
+            Slot::read(SHARE).of(Domain::Halves).named(&["half_shares"]),
+            Slot::read_if_any(SENT)
+                .of(Domain::Halves)
+                .named(&["half_sent"]),
+            Slot::read(RECEIVERS).named(&["receivers"]),
             Slot::read(LIGHT),
             Slot::write(UPSAMPLED),
-            Slot::write(RECEIVERS).of(Domain::Rest),
+            Slot::write(RECEIVERS)
+                .of(Domain::Rest)
+                .named(&["anew", "clusters"]),
         ]
     },
     wanted: |facts| {
