@@ -23,7 +23,7 @@ pub enum PlanError {
     )]
     Gives {
         /// What comes out of it.
-        given: &'static str,
+        given: String,
         /// What should.
         wanted: &'static str,
     },
@@ -47,17 +47,18 @@ impl Plan {
     /// # Errors
     /// Where it gives something else, and as `check`.
     pub fn check_for(&self, wanted: Resource) -> Result<(), PlanError> {
-        let (given, _) = self.gives;
-        if given != wanted {
+        let given = self.gives.iter().map(|(given, _)| *given);
+        if !given.clone().any(|given| given == wanted) {
+            let names = given.map(|given| given.name);
             return Err(PlanError::Gives {
-                given: given.name,
+                given: names.collect::<Vec<_>>().join(", "),
                 wanted: wanted.name,
             });
         }
         self.check()
     }
 
-    /// Whether every pass finds what it reads, and a picture or the light of receivers comes out.
+    /// Whether every pass finds what it reads, and what it is for comes out.
     ///
     /// # Errors
     /// The first thing that is missing or comes too late.
@@ -70,7 +71,9 @@ impl Plan {
                 self.made((pass.name(), index), slot.bound(pass.at))?;
             }
         }
-        self.made(("the caller", self.passes.len()), self.gives)
+        let asked = ("the caller", self.passes.len());
+        let mut gives = self.gives.iter();
+        gives.try_for_each(|given| self.made(asked, *given))
     }
 
     /// Whether something is there when a pass asks for it.

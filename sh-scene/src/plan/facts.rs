@@ -1,6 +1,6 @@
 //! What of a scene decides about its passes.
 
-use super::{Domain, LeftOut};
+use super::{Domain, LeftOut, Resource};
 use crate::{Object, Scene, Settings};
 
 /// What of a scene and its settings decides about passes and shaders.
@@ -11,6 +11,8 @@ pub struct Facts<'a> {
     pub settings: Settings,
     /// Whether receivers are the caller's, and not what a camera sees.
     pub brought: bool,
+    /// What somebody asked for beside the picture.
+    pub asked: Vec<Resource>,
     /// Blocker spheres.
     pub blockers: usize,
     /// Lamps that shine.
@@ -39,6 +41,7 @@ impl<'a> Facts<'a> {
             scene,
             settings,
             brought,
+            asked: Vec::new(),
             blockers,
             lamps: shining().count(),
             uneven: shining().filter(|lamp| lamp.distribution.is_some()).count(),
@@ -55,6 +58,11 @@ impl<'a> Facts<'a> {
             true => Domain::Receivers,
             false => Domain::Samples,
         }
+    }
+
+    /// Whether somebody asked for something.
+    pub fn asks(&self, resource: Resource) -> bool {
+        self.asked.contains(&resource)
     }
 
     /// The override constants of kernels that know of lamps.

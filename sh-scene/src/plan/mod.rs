@@ -86,8 +86,8 @@ pub struct Plan {
     pub passes: Vec<Planned>,
     /// What this scene does without: nothing is computed, set aside or compiled for it.
     pub left_out: Vec<LeftOut>,
-    /// What comes out of it.
-    pub gives: (Resource, Domain),
+    /// What comes out of it: what it is for, and whatever was asked for besides.
+    pub gives: Vec<(Resource, Domain)>,
     /// The pipelines that the passes are made of on a GPU, each once.
     pub shaders: Vec<Shader>,
 }
@@ -95,7 +95,24 @@ pub struct Plan {
 impl Plan {
     /// The passes that a picture of `scene` needs.
     pub fn new(scene: &Scene) -> Self {
-        Self::of(&Facts::of(scene, false))
+        Self::giving(scene, &[])
+    }
+
+    /// As [`new`](Self::new), with `more` that passes can tell of every pixel, if somebody asks.
+    ///
+    /// ```
+    /// # use sh_scene::*;
+    /// # fn plan_of(scene: &Scene, asked: Resource) {
+    /// let plan = Plan::giving(scene, &[asked]);
+    /// assert_eq!(plan.gives.len(), 2);
+    /// # }
+    /// ```
+    pub fn giving(scene: &Scene, more: &[Resource]) -> Self {
+        let facts = Facts {
+            asked: more.to_vec(),
+            ..Facts::of(scene, false)
+        };
+        Self::of(&facts)
     }
 
     /// The passes that light a caller's own receivers in `scene`: vertices, or whatever else is to be lit.
@@ -123,8 +140,12 @@ impl Plan {
         Self {
             shaders: shaders::of(&passes, facts),
             gives: match facts.brought {
-                true => (resource::RADIANCE, Domain::Receivers),
-                false => (resource::PICTURE, Domain::Pixels),
+                true => vec![(resource::RADIANCE, Domain::Receivers)],
+                false => [resource::PICTURE]
+                    .iter()
+                    .chain(&facts.asked)
+                    .map(|&resource| (resource, Domain::Pixels))
+                    .collect(),
             },
             left_out,
             passes,
