@@ -1,6 +1,6 @@
 // Light gather: light that spheres send on, added to what every receiver gets already (Guerrero et al. 2008, section
 // 6). Each sphere gives its mean radiance times what is visible of it, the cosine included: of its disc, what nearer
-// discs leave (`gather_discs`), or a difference of exponentials (`gather_sums`). Twin of sh_cpu's `light_cut` and
+// discs leave (`gather_discs`), or a difference of exponentials (`gather_sums`). Twin of sh_cpu's `light_order` and
 // `light_gather`.
 //
 // Receivers of a cluster share a cut, as in the shadow pass, and which of its spheres hide which: workgroup (x, y, z)

@@ -1,4 +1,4 @@
-// Visibility of lights as discs in the sky. Twin of sh_cpu's `light_gather::discs`.
+// Visibility of lights as discs in the sky. Twin of sh_cpu's `light_discs`.
 
 #import shared/records
 #import shared/scan

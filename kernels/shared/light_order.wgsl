@@ -1,4 +1,4 @@
-// In which order light meets spheres, and which of them hide which. Twin of sh_cpu's `light_cut`, where the rule and
+// In which order light meets spheres, and which of them hide which. Twin of sh_cpu's `light_order`, where the rule and
 // its reasons stand.
 
 #import shared/records

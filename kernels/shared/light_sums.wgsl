@@ -1,6 +1,6 @@
 // Visibility of lights as what a sphere takes away from what is left to be seen behind all nearer ones (Guerrero et al.
 // 2008, equation 23). Spheres in the order of their powers fall into runs; what has been summed up for a run serves all
-// that follow, and only within a run pairs are looked at. Twin of sh_cpu's `light_gather::sums`.
+// that follow, and only within a run pairs are looked at. Twin of sh_cpu's `light_sums`.
 
 #import shared/records
 #import shared/scan

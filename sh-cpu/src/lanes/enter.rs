@@ -11,7 +11,7 @@
 macro_rules! enter {
     ($path:expr, $lanes:ident, $simd:ident => $body:expr) => {{
         use fearless_simd::{Level, Simd};
-        use $crate::Path;
+        use $crate::lanes::path::Path;
         macro_rules! with {
             ($level:expr, $of:ident) => {{
                 use $crate::lanes::$of as $lanes;
@@ -51,7 +51,7 @@ macro_rules! enter {
 )))]
 macro_rules! enter {
     ($path:expr, $lanes:ident, $simd:ident => $body:expr) => {{
-        use $crate::Path;
+        use $crate::lanes::path::Path;
         match $path {
             #[cfg(feature = "one-lane")]
             Path::One(level) => fearless_simd::dispatch!(level, $simd => {

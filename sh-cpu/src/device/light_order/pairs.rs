@@ -1,0 +1,71 @@
+//! Which of two spheres hides the other, for all receivers of a cluster.
+
+use crate::device::light_cut::{ALWAYS, Met, NEVER};
+use crate::device::spherical_lights::SphericalLights;
+use glam::Vec3;
+use sh_scene::Forest;
+use sh_scene::order::{SHARPEST, swap_width};
+
+/// The power of a point against a sphere: the square of a tangent's length.
+pub(super) fn power(from: Vec3, center: Vec3, radius: f32) -> f32 {
+    center.distance_squared(from) - radius * radius
+}
+
+/// Whether two are spheres of one body that intersect.
+pub(super) fn joint(pair: [&Met; 2], lights: &SphericalLights) -> bool {
+    let [a, b] = pair.map(|met| lights.body(met.node));
+    let [p, q] = pair.map(|met| met.blocker);
+    let reach = p.radius + q.radius;
+    a == b && a.is_some() && Vec3::from(p.center).distance_squared(q.center.into()) < reach * reach
+}
+
+/// What the nearer of a pair hides of the other, and the other of it, for receivers within `radius`.
+pub(super) fn by_spheres([near, far]: [&Met; 2], radius: f32) -> [f32; 2] {
+    let centers = [near, far].map(|met| Vec3::from(met.blocker.center));
+    let [a, b] = [near.blocker.radius, far.blocker.radius];
+    // Twice the distance of the cluster's centre from the plane of equal power, times that of the centres.
+    let difference = far.power - near.power;
+    let smaller = a.min(b);
+    let square = centers[0].distance_squared(centers[1]);
+    // Most pairs are far apart, and need no root.
+    let reach = 2.0 * (radius + SHARPEST * smaller);
+    if square >= (a + b) * (a + b) && difference * difference >= square * reach * reach {
+        return [ALWAYS, NEVER];
+    }
+    let distance = square.sqrt();
+    let width = swap_width(a, b, distance);
+    let twice = 2.0 * distance;
+    if difference >= twice * (radius + width) {
+        return [ALWAYS, NEVER];
+    }
+    let slope = 1.0 / (2.0 * width * twice).max(f32::MIN_POSITIVE);
+    [slope.min(f32::MAX); 2]
+}
+
+/// The same by the power of whole bodies: the nearer body hides all of the other.
+pub(super) fn by_bodies(
+    [near, far]: [&Met; 2],
+    center: Vec3,
+    forest: &Forest,
+    lights: &SphericalLights,
+) -> [f32; 2] {
+    let [a, b] = [near, far].map(|met| lights.body(met.node));
+    let (Some(a), Some(b)) = (a, b) else {
+        return [ALWAYS, NEVER];
+    };
+    if a == b {
+        let joint = joint([near, far], lights);
+        return if joint { [NEVER; 2] } else { [ALWAYS, NEVER] };
+    }
+    let whole = |body: u32| {
+        let node = &forest.nodes()[lights.root(body) as usize];
+        (power(center, node.center.into(), node.radius), body)
+    };
+    let (first, second) = (whole(a), whole(b));
+    let in_order = first.0 < second.0 || first.0 == second.0 && first.1 < second.1;
+    if in_order {
+        [ALWAYS, NEVER]
+    } else {
+        [NEVER, ALWAYS]
+    }
+}

@@ -1,0 +1,173 @@
+//! What spheres emit, from the light on their points: each sphere's own, then the means of those below a node.
+
+use super::body::{Body, rotation};
+use crate::device::spherical_lights::SphericalLights;
+use crate::error::Error;
+use glam::Quat;
+use sh_core::{ROOT_FOUR_PI, Routines};
+use sh_scene::surface::{DIRECTIONS, SurfacePoint, cell_sums};
+use sh_scene::{Forest, Node};
+
+impl SphericalLights {
+    /// Emission of all nodes from the points' radiance.
+    pub(super) fn emit<'a>(
+        &mut self,
+        bodies: impl IntoIterator<Item = Body<'a>>,
+        forest: &Forest,
+        within_bodies: bool,
+    ) -> Result<(), Error> {
+        match self.order {
+            2 => self.emit_in::<4>(bodies, forest, within_bodies),
+            3 => self.emit_in::<9>(bodies, forest, within_bodies),
+            4 => self.emit_in::<16>(bodies, forest, within_bodies),
+            5 => self.emit_in::<25>(bodies, forest, within_bodies),
+            6 => self.emit_in::<36>(bodies, forest, within_bodies),
+            order => return Err(Error::Order { order }),
+        }
+        Ok(())
+    }
+
+    fn emit_in<'a, const C: usize>(
+        &mut self,
+        bodies: impl IntoIterator<Item = Body<'a>>,
+        forest: &Forest,
+        within_bodies: bool,
+    ) where
+        [f32; C]: Routines<f32>,
+    {
+        let nodes = forest.nodes();
+        self.emission.clear();
+        self.emission.resize(nodes.len() * C, [0.0; 3]);
+        self.exposed.clear();
+        self.exposed.resize(nodes.len() * C, 0.0);
+        self.brightest.clear();
+        self.brightest.resize(nodes.len(), [0.0; 3]);
+        self.emit_spheres::<C>(bodies, within_bodies);
+        for (at, node) in nodes.iter().enumerate().rev() {
+            if !node.is_leaf(at) {
+                self.emit_mean::<C>(at, nodes);
+            }
+        }
+        self.most = self.brightest.first().copied().unwrap_or_default();
+    }
+
+    /// What each sphere emits: found in object space, and turned.
+    fn emit_spheres<'a, const C: usize>(
+        &mut self,
+        bodies: impl IntoIterator<Item = Body<'a>>,
+        within_bodies: bool,
+    ) where
+        [f32; C]: Routines<f32>,
+    {
+        let mut leaves = self.leaves.iter();
+        let mut lit = self.points.direct.iter().zip(&self.points.indirect);
+        for body in bodies {
+            let turn = rotation(&body.transform);
+            for sphere in 0..body.spheres {
+                let sent = Sent::of(body.surface.of(sphere), &mut lit, within_bodies);
+                let vector = sent.vector::<C>(body.surface.stands(sphere, within_bodies));
+                let own = body.surface.rotations.get(sphere);
+                let own = own.map_or(Quat::IDENTITY, |q| Quat::from_array(*q));
+                let turn = (turn * own).normalize().to_array();
+                let [red, green, blue] = vector.map(|v| v.rotate(turn));
+                let Some(node) = leaves.next().map(|&node| node as usize) else {
+                    continue;
+                };
+                let all = body.surface.exposed(sphere, within_bodies);
+                // Those of a lower order come first.
+                let seen: [f32; C] = std::array::from_fn(|i| all[i]);
+                self.exposed[node * C..][..C].copy_from_slice(&seen.rotate(turn));
+                self.brightest[node] = sent.brightest;
+                for (i, out) in self.emission[node * C..][..C].iter_mut().enumerate() {
+                    *out = [red[i], green[i], blue[i]];
+                }
+            }
+        }
+    }
+
+    /// What a node emits that stands for several: the mean of its children by their cross-sections, of a sphere as much as
+    /// its body leaves to be seen of it.
+    fn emit_mean<const C: usize>(&mut self, at: usize, nodes: &[Node]) {
+        let (above, below) = self.emission.split_at_mut((at + 1) * C);
+        let own = &mut above[at * C..];
+        for child in children(at, nodes) {
+            let share = if nodes[at].area > 0.0 {
+                // In the mean over all directions.
+                let seen = match nodes[child].is_leaf(child) {
+                    true => self.exposed[child * C] / ROOT_FOUR_PI as f32,
+                    false => 1.0,
+                };
+                nodes[child].area / nodes[at].area * seen
+            } else {
+                0.0
+            };
+            for (own, from) in own.iter_mut().zip(&below[(child - at - 1) * C..][..C]) {
+                for (own, from) in own.iter_mut().zip(from) {
+                    *own += share * from;
+                }
+            }
+            let below = self.brightest[child];
+            for (most, c) in self.brightest[at].iter_mut().zip(below) {
+                *most = most.max(c);
+            }
+        }
+    }
+}
+
+/// The nodes directly below one.
+fn children(at: usize, nodes: &[Node]) -> impl Iterator<Item = usize> {
+    let end = nodes[at].skip as usize;
+    let first = Some(at + 1).filter(|&child| child < end);
+    std::iter::successors(first, move |&child| {
+        Some(nodes[child].skip as usize).filter(|&next| next < end)
+    })
+}
+
+/// What the points of a sphere send on.
+struct Sent {
+    points: [[f32; 3]; DIRECTIONS],
+    /// The most that any of them does.
+    brightest: [f32; 3],
+}
+
+impl Sent {
+    /// `lit` tells the light on each point: what no body and what bodies have sent.
+    fn of<'p>(
+        points: &[SurfacePoint],
+        lit: &mut impl Iterator<Item = (&'p [f32; 3], &'p [f32; 3])>,
+        within_bodies: bool,
+    ) -> Self {
+        let mut sent = Self {
+            points: [[0.0; 3]; DIRECTIONS],
+            brightest: [0.0; 3],
+        };
+        for (i, (point, (direct, indirect))) in points.iter().zip(lit).enumerate() {
+            let reflected = point.reflectance(within_bodies);
+            let of_point: [f32; 3] =
+                std::array::from_fn(|k| (reflected[k] * (direct[k] + indirect[k])).max(0.0));
+            for (most, sent) in sent.brightest.iter_mut().zip(of_point) {
+                *most = most.max(sent);
+            }
+            if let Some(slot) = sent.points.get_mut(i) {
+                *slot = of_point;
+            }
+        }
+        sent
+    }
+
+    /// As SH vectors: each direction's cell is as bright as the point that `stands` for it, and dark where none does.
+    fn vector<const C: usize>(&self, stands: [u8; DIRECTIONS]) -> [[f32; C]; 3] {
+        let mut vector = [[0.0; C]; 3];
+        for (cell, point) in cell_sums().iter().zip(stands) {
+            let Some(sent) = self.points.get(usize::from(point)) else {
+                continue;
+            };
+            for (vector, sent) in vector.iter_mut().zip(sent) {
+                for (v, y) in vector.iter_mut().zip(cell) {
+                    *v += sent * y;
+                }
+            }
+        }
+        vector
+    }
+}

@@ -1,0 +1,11 @@
+//! The passes, a file each, named as their declarations in `sh_scene::passes`.
+
+pub(crate) mod gbuffer;
+pub(crate) mod irradiance;
+pub(crate) mod light_gather;
+pub(crate) mod light_update;
+pub(crate) mod resolve;
+pub(crate) mod scatter;
+pub(crate) mod shadow;
+pub(crate) mod shares;
+pub(crate) mod upsample;

@@ -1,0 +1,85 @@
+//! Passes that look at the tree of spheres.
+
+use super::work::Stages;
+use crate::device::cut::CutOptions;
+use crate::device::light_order::LightCutOptions;
+use crate::error::Error;
+use crate::lanes::path::Path;
+use crate::passes::light_gather::{LightGather, light_gather};
+use crate::passes::shadow::{Shadow, shadow_clusters};
+use crate::store::{Set, Spheres};
+use sh_scene::Settings;
+
+impl Spheres<'_> {
+    /// Light through the visibility of all blockers.
+    pub(super) fn shade(&mut self, set: &mut Set, stages: &mut Stages) -> Result<(), Error> {
+        let Settings {
+            limits,
+            accumulation,
+            ..
+        } = self.settings;
+        let options = CutOptions {
+            limits,
+            ratios: true,
+            accumulation,
+        };
+        let (receivers, clusters) = (set.receivers, set.clusters);
+        let Self { forest, cuts, .. } = self;
+        stages.time("cut", || {
+            cuts.bound(receivers, clusters, 0..clusters.len());
+            cuts.dim(self.light);
+            cuts.find(Path::best(), forest, self.light, options);
+        });
+        self.counts.pairs += cuts.pairs();
+        self.counts.shadowed += cuts.receivers();
+        self.counts.too_small += cuts.too_small();
+        self.counts.lamps_below += cuts.lamps_below();
+        let shadow = Shadow {
+            clusters,
+            cuts,
+            light: self.light,
+            accumulation,
+            baked: None,
+        };
+        stages.time("shadow", || {
+            shadow_clusters(Path::best(), receivers, &shadow, set.room())
+        })
+    }
+
+    /// What spheres send to receivers.
+    pub(super) fn gather(
+        &mut self,
+        set: &Set,
+        stages: &mut Stages,
+    ) -> Result<Vec<[f32; 3]>, Error> {
+        let Settings {
+            limits,
+            indirect,
+            order,
+            ..
+        } = self.settings;
+        let options = LightCutOptions {
+            cut: CutOptions {
+                limits,
+                ratios: true,
+                accumulation: order,
+            },
+            blocking: indirect.unwrap_or_default().blocking,
+        };
+        let (receivers, clusters) = (set.receivers, set.clusters);
+        let (path, cuts, lights) = (Path::best(), &mut *self.light_cuts, &*self.lights);
+        stages.time("light_cut", || {
+            cuts.find(path, receivers, clusters, self.forest, lights, options);
+        });
+        let mut sent = vec![[0.0; 3]; receivers.len()];
+        let gather = LightGather {
+            clusters,
+            cuts,
+            lights,
+        };
+        stages.time("light_gather", || {
+            light_gather(path, receivers, &gather, &mut sent)
+        })?;
+        Ok(sent)
+    }
+}

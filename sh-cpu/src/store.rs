@@ -1,0 +1,147 @@
+//! What the passes of a frame hand each other.
+
+use crate::device::cut::Cuts;
+use crate::device::geometry::Geometry;
+use crate::device::light_cut::LightCuts;
+use crate::device::spherical_lights::SphericalLights;
+use crate::passes::gbuffer::Gbuffer;
+use crate::passes::upsample::{Failed, Halves};
+use sh_scene::{Domain, Forest, Light, Receiver, Scene, Settings, Tiles, View};
+use std::ops::Range;
+
+/// Every resource of a plan, or what it is made from.
+pub(crate) struct Store<'a, 's> {
+    pub scene: &'a Scene,
+    pub spheres: Spheres<'s>,
+    pub sets: Sets<'a>,
+    /// What a camera sees; none where receivers are the caller's.
+    pub camera: Option<Camera<'a>>,
+    /// Whether what spheres send on is not what it was.
+    pub relit: bool,
+}
+
+/// A camera and its picture.
+pub(crate) struct Camera<'a> {
+    pub view: View,
+    pub geometry: Geometry<'a>,
+    pub pixels: Vec<[f32; 3]>,
+}
+
+/// Receivers of every domain, with their light. Memory serves all bands.
+#[derive(Default)]
+pub(crate) struct Sets<'a> {
+    pub halves: Halves,
+    pub half_clusters: Vec<Range<usize>>,
+    pub samples: Gbuffer,
+    pub sample_clusters: Vec<Range<usize>>,
+    pub radiance: Vec<[f32; 3]>,
+    pub rest: Failed,
+    pub rest_radiance: Vec<[f32; 3]>,
+    pub brought: &'a [Receiver],
+    pub brought_clusters: &'a [Range<usize>],
+    pub brought_sent: Vec<[f32; 3]>,
+}
+
+/// One set of receivers.
+pub(crate) struct Set<'s> {
+    pub receivers: &'s [Receiver],
+    pub clusters: &'s [Range<usize>],
+    pub radiance: &'s mut Vec<[f32; 3]>,
+    /// Light that spheres send, where it is kept apart.
+    pub sent: Option<&'s mut Vec<[f32; 3]>>,
+}
+
+impl Sets<'_> {
+    /// The receivers of a domain.
+    pub fn of(&mut self, domain: Domain) -> Set<'_> {
+        match domain {
+            Domain::Halves => Set {
+                receivers: &self.halves.receivers,
+                clusters: &self.half_clusters,
+                radiance: &mut self.halves.shares,
+                sent: Some(&mut self.halves.sent),
+            },
+            Domain::Rest => Set {
+                receivers: &self.rest.receivers,
+                clusters: &self.rest.clusters,
+                radiance: &mut self.rest_radiance,
+                sent: None,
+            },
+            Domain::Receivers => Set {
+                receivers: self.brought,
+                clusters: self.brought_clusters,
+                radiance: &mut self.radiance,
+                sent: Some(&mut self.brought_sent),
+            },
+            // Pixels are made of samples; the others have no receivers, and no pass over them asks for any.
+            Domain::Samples | Domain::Pixels | Domain::Spheres | Domain::Scene => Set {
+                receivers: &self.samples.receivers,
+                clusters: &self.sample_clusters,
+                radiance: &mut self.radiance,
+                sent: None,
+            },
+        }
+    }
+}
+
+impl Set<'_> {
+    /// Radiance of every receiver, to be written.
+    pub fn room(&mut self) -> &mut [[f32; 3]] {
+        self.radiance.resize(self.receivers.len(), [0.0; 3]);
+        self.radiance
+    }
+}
+
+/// The spheres, the light on them and what they send on; with what is counted.
+pub(crate) struct Spheres<'a> {
+    pub forest: &'a Forest,
+    pub light: &'a Light,
+    pub settings: Settings,
+    pub cuts: &'a mut Cuts,
+    pub lights: &'a mut SphericalLights,
+    pub light_cuts: &'a mut LightCuts,
+    pub counts: Counts,
+}
+
+/// What is counted in the passes that look at spheres.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Counts {
+    pub pairs: usize,
+    pub shadowed: usize,
+    pub too_small: usize,
+    pub lamps_below: usize,
+}
+
+/// Rows of tiles a band: 16 rows of pixels. With 1280 columns a band's samples are 6 MB, so that a pass finds in the
+/// cache what the one before it wrote.
+const BAND: u32 = 2;
+
+impl Camera<'_> {
+    /// How many bands the samples have.
+    pub fn bands(&self) -> u32 {
+        self.view.samples().tiles().rows.div_ceil(BAND)
+    }
+
+    /// The rows of tiles of a band of samples.
+    pub fn rows(&self, band: u32) -> Range<u32> {
+        let first = band * BAND;
+        first..(first + BAND).min(self.view.samples().tiles().rows)
+    }
+
+    /// The tiles of a band of samples.
+    pub fn tiles(&self, band: u32) -> Tiles {
+        Tiles {
+            rows: self.rows(band).len() as u32,
+            ..self.view.samples().tiles()
+        }
+    }
+
+    /// The pixels of a band.
+    pub fn pixels(&mut self, band: u32) -> &mut [[f32; 3]] {
+        let rows = BAND * Tiles::SIDE / View::OVERSAMPLE;
+        let size = (rows * self.view.width) as usize;
+        let first = band as usize * size;
+        let end = (first + size).min(self.pixels.len());
+        &mut self.pixels[first..end]
+    }
+}
