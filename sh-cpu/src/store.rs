@@ -6,7 +6,8 @@ use crate::device::light_cut::LightCuts;
 use crate::device::spherical_lights::SphericalLights;
 use crate::passes::gbuffer::Gbuffer;
 use crate::passes::upsample::{Failed, Halves};
-use sh_scene::{Domain, Forest, Light, Receiver, Scene, Settings, Tiles, View};
+use sh_scene::resource::Given;
+use sh_scene::{Domain, Forest, Light, Receiver, Resource, Scene, Settings, Tiles, View};
 use std::ops::Range;
 
 /// Every resource of a plan, or what it is made from.
@@ -25,6 +26,8 @@ pub(crate) struct Camera<'a> {
     pub view: View,
     pub geometry: Geometry<'a>,
     pub pixels: Vec<[f32; 3]>,
+    /// What is given of every pixel besides.
+    pub given: Given,
 }
 
 /// Receivers of every domain, with their light. Memory serves all bands.
@@ -138,10 +141,21 @@ impl Camera<'_> {
 
     /// The pixels of a band.
     pub fn pixels(&mut self, band: u32) -> &mut [[f32; 3]] {
+        let range = self.range(band);
+        &mut self.pixels[range]
+    }
+
+    /// The same of something else that is given of every pixel; none where nobody asked for it.
+    pub fn given(&mut self, resource: Resource, band: u32) -> &mut [[u32; 4]] {
+        let range = self.range(band);
+        let given = self.given.iter_mut().find(|(of, _)| *of == resource);
+        given.map_or(&mut [], |(_, all)| &mut all[range])
+    }
+
+    fn range(&self, band: u32) -> Range<usize> {
         let rows = BAND * Tiles::SIDE / View::OVERSAMPLE;
         let size = (rows * self.view.width) as usize;
         let first = band as usize * size;
-        let end = (first + size).min(self.pixels.len());
-        &mut self.pixels[first..end]
+        first..(first + size).min(self.pixels.len())
     }
 }

@@ -5,7 +5,8 @@ use crate::Error;
 use crate::gpu::{Gpu, Stamps};
 use crate::report::Times;
 use sh_gpu::Renderer;
-use sh_scene::{Scene, Tracker};
+use sh_scene::resource::{Given, PICTURE};
+use sh_scene::{Resource, Scene, Tracker};
 use std::time::Instant;
 use wgpu::Buffer;
 
@@ -13,7 +14,17 @@ use wgpu::Buffer;
 pub struct Painter {
     renderer: Renderer,
     stamps: Option<Stamps>,
+    /// Where the picture is read back from.
     staging: Buffer,
+    /// The same for each thing that the plan gives besides.
+    besides: Vec<(Resource, Buffer)>,
+}
+
+/// A picture, and what else the plan gives of its pixels.
+pub(crate) struct Painted {
+    /// Linear radiance, row by row from the top.
+    pub(crate) pixels: Vec<[f32; 3]>,
+    pub(crate) given: Given,
 }
 
 impl Painter {
@@ -22,19 +33,27 @@ impl Painter {
         Ok(Self {
             stamps: Stamps::new(gpu, renderer.timestamps()),
             staging: gpu.staging(renderer.picture().size()),
+            besides: shot
+                .plan
+                .gives
+                .iter()
+                .filter(|(given, _)| *given != PICTURE)
+                .filter_map(|(given, _)| Some((*given, renderer.given(*given)?.size())))
+                .map(|(given, size)| (given, gpu.staging(size)))
+                .collect(),
             renderer,
         })
     }
 }
 
-/// Runs the plan, with the light that the tracker has. The picture is linear radiance, row by row from the top.
+/// Runs the plan, with the light that the tracker has.
 pub fn picture(
     gpu: &Gpu,
     painter: &mut Option<Painter>,
     (scene, tracker): (&Scene, &mut Tracker),
     shot: &Shot,
     times: &mut Times,
-) -> Result<Vec<[f32; 3]>, Error> {
+) -> Result<Painted, Error> {
     let painter = times.measure("upload", || -> Result<&mut Painter, Error> {
         let painter = match painter {
             Some(painter) => {
@@ -66,7 +85,7 @@ pub fn picture(
         renderer,
         stamps,
         staging,
-        ..
+        besides,
     } = painter;
     let picture = renderer.picture();
     let start = Instant::now();
@@ -90,10 +109,22 @@ pub fn picture(
     times.measure("read back", || {
         gpu.submit(|encoder| {
             encoder.copy_buffer_to_buffer(picture, 0, staging, 0, picture.size());
+            for (resource, staging) in besides.iter() {
+                if let Some(given) = renderer.given(*resource) {
+                    encoder.copy_buffer_to_buffer(given, 0, staging, 0, given.size());
+                }
+            }
         })?;
-        gpu.read(staging, |bytes| {
-            let pixels: &[[f32; 4]] = bytemuck::cast_slice(bytes);
-            pixels.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect()
+        let given = besides.iter().map(|(resource, staging)| {
+            let read = |bytes: &[u8]| bytemuck::cast_slice(bytes).to_vec();
+            Ok::<_, Error>((*resource, gpu.read(staging, read)?))
+        });
+        Ok(Painted {
+            pixels: gpu.read(staging, |bytes| {
+                let pixels: &[[f32; 4]] = bytemuck::cast_slice(bytes);
+                pixels.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect()
+            })?,
+            given: given.collect::<Result<_, _>>()?,
         })
     })
 }

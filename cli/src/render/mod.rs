@@ -15,6 +15,7 @@ use crate::image::{Output, Picture, exposure};
 use crate::progress::Progress;
 use crate::report::{Body, Report, Sequence, Surface, Times, planned};
 use frames::Files;
+use gpu::Painted;
 use sh_bake::{Cache, Choices, ClipChoice, Loaded};
 use sh_scene::motion::Motion;
 use sh_scene::{Plan, Tracker, View};
@@ -162,9 +163,13 @@ pub fn render(options: &Options) -> Result<Report, Error> {
             let seconds = f64::from(number) / frames.rate;
             times.measure("pose", || motion.pose(seconds, &mut scene));
         }
-        let pixels = match (&options.reference, &choice.gpu) {
+        let painted = match (&options.reference, &choice.gpu) {
             (Some(reference), _) => {
-                reference::picture(reference, &scene, &view, &mut times, &done)?
+                let pixels = reference::picture(reference, &scene, &view, &mut times, &done)?;
+                Painted {
+                    pixels,
+                    given: Vec::new(),
+                }
             }
             (None, Some(gpu)) => {
                 times.measure("light", || tracker.relight(&scene))?;
@@ -176,20 +181,24 @@ pub fn render(options: &Options) -> Result<Report, Error> {
                         environment: motion.turns(),
                     },
                 };
-                gpu::picture(gpu, &mut painter, (&scene, &mut tracker), &shot, &mut times)?
+                let scene = (&scene, &mut tracker);
+                gpu::picture(gpu, &mut painter, scene, &shot, &mut times)?
             }
             (None, None) => {
                 let frame = frames.render(&scene, &plan, (width, height), &done)?;
                 for (stage, time) in frame.stages {
                     times.add(stage, time.as_secs_f64());
                 }
-                frame.pixels
+                Painted {
+                    pixels: frame.pixels,
+                    given: frame.given,
+                }
             }
         };
         let picture = Picture {
             width,
             height,
-            pixels,
+            pixels: painted.pixels,
         };
         times.measure("write", || file.finish(picture, exposure))?;
         done(1.0);

@@ -5,6 +5,7 @@ use crate::Error;
 use crate::compare::Seen;
 use egui::{Color32, ColorImage};
 use sh_cpu::{CutOptions, Cuts, Path};
+use sh_scene::resource::Given;
 use sh_scene::{Domain, Light, Plan, Scene, Tiles, passes};
 use std::sync::Arc;
 
@@ -58,8 +59,21 @@ pub(super) fn distinct(n: usize) -> Color32 {
     egui::ecolor::Hsva::new(golden.fract(), 0.62, 0.92, 1.0).into()
 }
 
-/// The layer of an overlay that is known at once: clusters or the sizes of their cuts.
-pub(super) fn of_clusters(scene: &Scene, plan: &Plan, wish: &Wish) -> Result<Layer, Error> {
+/// The layer of an overlay, if it is one and is there with the picture; `given` is what the plan gives besides.
+pub(super) fn of(
+    scene: &Scene,
+    plan: &Plan,
+    wish: &Wish,
+    _given: &Given,
+) -> Result<Option<Layer>, Error> {
+    Ok(match wish.overlay {
+        Overlay::Clusters | Overlay::Cut => Some(of_clusters(scene, plan, wish)?),
+        Overlay::None | Overlay::Spheres | Overlay::Error => None,
+    })
+}
+
+/// Clusters or the sizes of their cuts.
+fn of_clusters(scene: &Scene, plan: &Plan, wish: &Wish) -> Result<Layer, Error> {
     let cut = wish.overlay == Overlay::Cut;
     let title = if cut {
         "Spheres a cluster looks at"

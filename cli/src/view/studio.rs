@@ -5,7 +5,7 @@ use super::wish::{Ball, Overlay, Shown, Wish};
 use crate::Error;
 use crate::gpu::Gpu;
 use crate::image::{exposure, screen};
-use crate::render::gpu::Painter;
+use crate::render::gpu::{Painted, Painter};
 use crate::render::{self, Changes, Shot};
 use crate::report::{Stage, Times, planned};
 use egui::{Color32, ColorImage};
@@ -22,7 +22,7 @@ const PAINTERS: usize = 4;
 
 /// What GPU resources are made for.
 #[derive(Clone, Debug, PartialEq)]
-struct Made {
+struct Purpose {
     size: [u32; 2],
     plan: Plan,
     settings: Settings,
@@ -30,14 +30,14 @@ struct Made {
 
 /// GPU resources, and the state of the scene they hold.
 struct Easel {
-    made: Made,
+    purpose: Purpose,
     painter: Option<Painter>,
     seconds: f64,
     turn: f64,
 }
 
-/// Linear radiance, row by row; what each stage took; and what computed.
-type Painted = (Vec<[f32; 3]>, Vec<Stage>, String);
+/// A picture; what each stage took; and what computed.
+type Made = (Painted, Vec<Stage>, String);
 
 /// A scene and what renders it.
 pub(super) struct Studio {
@@ -156,9 +156,9 @@ impl Studio {
     pub fn render(&mut self, wish: &Wish) -> Result<Shown, Error> {
         let start = Instant::now();
         self.pose(wish);
-        let plan = Plan::new(&self.scene);
+        let plan = Plan::giving(&self.scene, wish.overlay.asks());
         let [width, height] = wish.size;
-        let (pixels, stages, device) = match &self.gpu {
+        let (painted, stages, device) = match &self.gpu {
             Some(_) => self.on_gpu(wish, &plan)?,
             None => {
                 let frame = self
@@ -170,11 +170,15 @@ impl Studio {
                 });
                 let threads = rayon::current_num_threads();
                 let device = format!("the CPU, {threads} threads");
-                (frame.pixels, stages.collect(), device)
+                let painted = Painted {
+                    pixels: frame.pixels,
+                    given: frame.given,
+                };
+                (painted, stages.collect(), device)
             }
         };
         let factor = self.exposure * wish.stops.exp2();
-        let rows = pixels.par_chunks(width as usize).zip(0..height);
+        let rows = painted.pixels.par_chunks(width as usize).zip(0..height);
         let shown = rows.flat_map_iter(|(row, y)| {
             row.iter().zip(0..).map(move |(pixel, x)| {
                 let [r, g, b] = screen(pixel.map(|c| c * factor), x, y);
@@ -195,31 +199,30 @@ impl Studio {
                 _ => Vec::new(),
             },
             spheres: self.scene.objects.iter().map(|o| o.spheres.len()).sum(),
-            layer: match wish.overlay {
-                Overlay::Clusters | Overlay::Cut => {
-                    Some(layer::of_clusters(&self.scene, &plan, wish)?)
-                }
-                _ => None,
-            },
+            layer: layer::of(&self.scene, &plan, wish, &painted.given)?,
         })
     }
 
-    fn on_gpu(&mut self, wish: &Wish, plan: &Plan) -> Result<Painted, Error> {
+    fn on_gpu(&mut self, wish: &Wish, plan: &Plan) -> Result<Made, Error> {
         let Some(gpu) = &self.gpu else {
             return Err(Error::Gpu("no GPU driver was found".into()));
         };
         let [width, height] = wish.size;
-        let made = Made {
+        let purpose = Purpose {
             size: wish.size,
             plan: plan.clone(),
             settings: wish.settings,
         };
         let turn =
             f64::from(wish.turn) + self.motion.environment_angle(wish.seconds).unwrap_or(0.0);
-        let mut easel = match self.easels.iter().position(|easel| easel.made == made) {
+        let mut easel = match self
+            .easels
+            .iter()
+            .position(|easel| easel.purpose == purpose)
+        {
             Some(at) => self.easels.remove(at),
             None => Easel {
-                made,
+                purpose,
                 painter: None,
                 seconds: f64::NAN,
                 turn: f64::NAN,
@@ -242,14 +245,14 @@ impl Studio {
         let mut times = Times::default();
         self.tracker.relight(&self.scene)?;
         let scene = (&self.scene, &mut self.tracker);
-        let pixels = render::gpu::picture(gpu, &mut easel.painter, scene, &shot, &mut times)?;
+        let painted = render::gpu::picture(gpu, &mut easel.painter, scene, &shot, &mut times)?;
         (easel.seconds, easel.turn) = (wish.seconds, turn);
         // The latest last; the one that was not used for longest goes.
         self.easels.push(easel);
         if self.easels.len() > PAINTERS {
             self.easels.remove(0);
         }
-        Ok((pixels, times.0, gpu.name.clone()))
+        Ok((painted, times.0, gpu.name.clone()))
     }
 
     fn balls(&self) -> Vec<Ball> {

@@ -4,7 +4,7 @@ use super::layer::Layer;
 use crate::render::Backend;
 use crate::report::{Planned, Stage};
 use egui::ColorImage;
-use sh_scene::{Camera, Settings, Sphere};
+use sh_scene::{Camera, Resource, Settings, Sphere};
 use std::sync::Arc;
 
 /// What is laid over the picture.
@@ -40,6 +40,11 @@ impl Overlay {
             Self::Cut => "Cut size",
             Self::Error => "Error",
         }
+    }
+
+    /// What of every pixel has to be given besides the picture.
+    pub(super) fn asks(self) -> &'static [Resource] {
+        &[]
     }
 }
 

@@ -10,7 +10,7 @@ use crate::device::spherical_lights::SphericalLights;
 use crate::error::Error;
 use crate::store::{Camera, Counts, Sets, Spheres, Store};
 use sh_scene::passes::LIGHT_UPDATE;
-use sh_scene::resource::{PICTURE, RADIANCE};
+use sh_scene::resource::{Given, PICTURE, RADIANCE};
 use sh_scene::{
     Buffer, Changes, Domain, Forest, Plan, Receiver, Scene, Settings, Step, Tracker, View,
 };
@@ -27,6 +27,8 @@ pub struct Frame {
     pub height: u32,
     /// Linear Rec.709 radiance, row by row from the top.
     pub pixels: Vec<[f32; 3]>,
+    /// What the plan gives of them besides ([`Plan::giving`]).
+    pub given: Given,
     /// Wall time of each stage, in the order they first ran: `hierarchy`, `light` and, where blockers count, `forest`,
     /// then the passes of the plan by name, `cut` and `light_cut` being the part that finds spheres.
     pub stages: Vec<(&'static str, Duration)>,
@@ -192,10 +194,14 @@ impl Frames {
             too_small,
             lamps_below,
         } = done.counts;
+        let (pixels, given) = camera
+            .map(|camera| (camera.pixels, camera.given))
+            .unwrap_or_default();
         Ok(Frame {
             width,
             height,
-            pixels: camera.map(|camera| camera.pixels).unwrap_or_default(),
+            pixels,
+            given,
             stages: done.stages.0,
             work,
             buffers,
@@ -224,10 +230,15 @@ impl Frames {
                     Geometry::reusing(scene, self.hierarchy.as_ref())
                 })?;
                 self.hierarchy = Some(Arc::clone(geometry.hierarchy()));
+                let pixels = view.width as usize * view.height as usize;
+                let besides = plan.gives.iter().filter(|(given, _)| *given != PICTURE);
                 Some(Camera {
                     view,
                     geometry,
-                    pixels: vec![[0.0; 3]; view.width as usize * view.height as usize],
+                    pixels: vec![[0.0; 3]; pixels],
+                    given: besides
+                        .map(|(given, _)| (*given, vec![[0; 4]; pixels]))
+                        .collect(),
                 })
             }
             None => None,

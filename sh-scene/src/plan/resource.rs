@@ -213,6 +213,10 @@ pub const PICTURE: Resource = Resource::made(
     (16, &["picture"]),
 );
 
+/// What a plan gives of every pixel besides the picture, row by row from the top: four whole numbers each, which the
+/// resource's own documentation tells the meaning of.
+pub type Given = Vec<(Resource, Vec<[u32; 4]>)>;
+
 /// Memory that the passes of a plan work in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Buffer {
