@@ -53,12 +53,13 @@ fn the_built_in_scene_becomes_a_picture() {
         .iter()
         .map(|p| p["pass"].clone())
         .collect();
-    assert_eq!(
-        passes,
-        [
-            "gbuffer", "shadow", "shares", "gbuffer", "upsample", "shadow", "scatter", "resolve"
-        ]
-    );
+    // Those that make the picture, in order; others may only look at it.
+    let mut rest = passes.iter();
+    for pass in [
+        "gbuffer", "shadow", "shares", "gbuffer", "upsample", "shadow", "scatter", "resolve",
+    ] {
+        assert!(rest.any(|p| p == pass), "no {pass} in {passes:?}");
+    }
     let stages = report["stages"].as_array().unwrap();
     assert!(
         passes
