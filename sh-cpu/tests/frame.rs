@@ -6,8 +6,9 @@ use common::{object, scene, sphere_mesh};
 use glam::{Affine3A, Vec3, vec3};
 use sh_cpu::{Error, Frame, Frames, Gbuffer, Geometry, gbuffer, render, resolve};
 use sh_scene::passes::{GBUFFER, RESOLVE, SHADOW};
+use sh_scene::passes::{INVALID_SAMPLES, InvalidSamples};
 use sh_scene::surface::{SurfacePoint, directions};
-use sh_scene::{Domain, EnvironmentMap, Ground, Indirect, Plan, PlanError, Scene, View};
+use sh_scene::{AreaLight, Domain, EnvironmentMap, Ground, Indirect, Plan, PlanError, Scene, View};
 use std::sync::Mutex;
 
 /// A ball on the ground under an even sky.
@@ -375,4 +376,40 @@ fn settings_and_maps_that_do_not_work_are_refused() {
             height: 8
         }
     );
+}
+
+/// Two lamps that are each almost as bright as single precision holds are more than that together: every sample of what
+/// they light is infinite, and counted, and the sky is not.
+#[test]
+fn infinite_samples_are_counted_where_somebody_asks() {
+    let mut scene = ball();
+    scene.settings.shadows = false;
+    let size = (64, 40);
+    let plan = Plan::giving(&scene, &[INVALID_SAMPLES]);
+    let counted = |scene: &Scene, plan: &Plan| {
+        let frame = render(scene, plan, size, &|_| {}).unwrap();
+        InvalidSamples::of(&frame.given, size.0)
+    };
+    assert_eq!(counted(&scene, &Plan::new(&scene)), None);
+    assert_eq!(counted(&scene, &plan), Some(InvalidSamples::default()));
+
+    let lamp = AreaLight::distant(Vec3::Y, 1.5, [3e38; 3]);
+    scene.lights = vec![lamp.clone(), lamp];
+    let frame = render(&scene, &plan, size, &|_| {}).unwrap();
+    let [(_, counts)] = &frame.given[..] else {
+        panic!("one thing was asked for");
+    };
+    let (mut valid, mut all) = (0, 0);
+    for ([nan, infinite, negative, covered], pixel) in counts.iter().zip(&frame.pixels) {
+        // Differences of infinities are no numbers.
+        let found = nan + infinite + negative;
+        assert!(
+            found == 0 || pixel.iter().any(|c| !c.is_finite()),
+            "{pixel:?}"
+        );
+        valid += covered - found;
+        all += covered;
+    }
+    // Of the ball's lower side the lamps are below the horizon.
+    assert!(all > 4000 && valid < all / 5, "{valid} of {all}");
 }

@@ -18,6 +18,7 @@ use frames::Files;
 use gpu::Painted;
 use sh_bake::{Cache, Choices, ClipChoice, Loaded};
 use sh_scene::motion::Motion;
+use sh_scene::passes::{INVALID_SAMPLES, InvalidSamples};
 use sh_scene::{Plan, Tracker, View};
 use std::io::Write;
 use std::path::PathBuf;
@@ -138,7 +139,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
     let light = times.measure("light", || scene.light())?;
     // One for all frames, so that none flickers.
     let exposure = exposure(&light) * options.stops.exp2();
-    let plan = Plan::new(&scene);
+    let plan = Plan::giving(&scene, &[INVALID_SAMPLES]);
     let [width, height] = options.size;
     let view = View {
         camera: scene.camera,
@@ -156,6 +157,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
         None => frames.start(&scene, &plan),
     }
     let numbers = options.frames.as_ref().map_or(0..1, |f| f.numbers.clone());
+    let mut invalid = Vec::new();
     for (done, number) in numbers.clone().enumerate() {
         let done = |part: f32| progress.set((done as f32 + part) / numbers.len() as f32);
         let file = files.next(number)?;
@@ -195,6 +197,8 @@ pub fn render(options: &Options) -> Result<Report, Error> {
                 }
             }
         };
+        let found = InvalidSamples::of(&painted.given, width);
+        invalid.extend(found.filter(|f| f.pixels > 0).map(|f| (number, f)));
         let picture = Picture {
             width,
             height,
@@ -226,7 +230,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
         objects: loaded.fits.iter().map(Body::new).collect(),
         surfaces: loaded.surfaces.iter().map(Surface::new).collect(),
         moves: loaded.moves,
-        warnings: loaded.warnings,
+        warnings: [loaded.warnings, invalid_samples(options, &invalid)].concat(),
         plan: match &options.reference {
             Some(reference) => reference.planned(&scene),
             None => planned(&plan),
@@ -242,6 +246,18 @@ pub fn render(options: &Options) -> Result<Report, Error> {
         })?;
     }
     Ok(summary)
+}
+
+/// A sentence on what samples of pictures are invalid, if any are.
+fn invalid_samples(options: &Options, found: &[(u32, InvalidSamples)]) -> Vec<String> {
+    let first = found.first().map(|(number, first)| match options.frames {
+        None => format!("{first}."),
+        Some(_) => format!(
+            "{first}. That is frame {number}, the first of {} with any.",
+            found.len()
+        ),
+    });
+    first.into_iter().collect()
 }
 
 /// What the path tracer cannot do.

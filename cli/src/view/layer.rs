@@ -5,8 +5,9 @@ use crate::Error;
 use crate::compare::Seen;
 use egui::{Color32, ColorImage};
 use sh_cpu::{CutOptions, Cuts, Path};
+use sh_scene::passes::{self, INVALID_SAMPLES, InvalidSamples};
 use sh_scene::resource::Given;
-use sh_scene::{Domain, Light, Plan, Scene, Tiles, passes};
+use sh_scene::{Domain, Light, Plan, Scene, Tiles};
 use std::sync::Arc;
 
 /// A picture to lay over another, and what it means.
@@ -64,11 +65,49 @@ pub(super) fn of(
     scene: &Scene,
     plan: &Plan,
     wish: &Wish,
-    _given: &Given,
+    given: &Given,
 ) -> Result<Option<Layer>, Error> {
     Ok(match wish.overlay {
         Overlay::Clusters | Overlay::Cut => Some(of_clusters(scene, plan, wish)?),
+        Overlay::Invalid => of_invalid(given, wish),
         Overlay::None | Overlay::Spheres | Overlay::Error => None,
+    })
+}
+
+/// Pixels with an invalid sample, and what is wrong with them.
+fn of_invalid(given: &Given, wish: &Wish) -> Option<Layer> {
+    let [width, height] = wish.size;
+    let found = InvalidSamples::of(given, width)?;
+    let (_, counts) = given.iter().find(|(of, _)| *of == INVALID_SAMPLES)?;
+    // One pixel is hard to see: the four by four that it is among are coloured.
+    const BLOCK: u32 = 4;
+    let mut colors = vec![None; width.div_ceil(BLOCK) as usize * height.div_ceil(BLOCK) as usize];
+    let place = |x: u32, y: u32| (y / BLOCK * width.div_ceil(BLOCK) + x / BLOCK) as usize;
+    for ([x, y], count) in (0..height)
+        .flat_map(|y| (0..width).map(move |x| [x, y]))
+        .zip(counts)
+    {
+        let worst = count[..3].iter().position(|&count| count > 0);
+        let color: &mut Option<usize> = &mut colors[place(x, y)];
+        *color = worst.map_or(*color, |worst| Some(color.map_or(worst, |c| c.min(worst))));
+    }
+    let shown = [Color32::RED, Color32::YELLOW, Color32::BLUE];
+    let image = veil(width, height, |x, y| {
+        colors[place(x, y)].map(|worst| shown[worst])
+    });
+    Some(Layer {
+        image: Arc::new(image),
+        legend: Legend {
+            title: "Invalid samples".into(),
+            ends: None,
+            notes: match found.pixels {
+                0 => vec![found.to_string()],
+                _ => vec![
+                    found.to_string(),
+                    "Red: no number. Yellow: infinite. Blue: negative.".into(),
+                ],
+            },
+        },
     })
 }
 

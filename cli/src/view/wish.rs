@@ -4,6 +4,7 @@ use super::layer::Layer;
 use crate::render::Backend;
 use crate::report::{Planned, Stage};
 use egui::ColorImage;
+use sh_scene::passes::INVALID_SAMPLES;
 use sh_scene::{Camera, Resource, Settings, Sphere};
 use std::sync::Arc;
 
@@ -19,16 +20,19 @@ pub enum Overlay {
     Clusters,
     /// How many spheres each cluster looks at
     Cut,
+    /// Where samples are no number, infinite or negative: there should be none
+    Invalid,
     /// The difference to the path tracer, which goes on while nothing moves
     Error,
 }
 
 impl Overlay {
-    pub(super) const ALL: [Self; 5] = [
+    pub(super) const ALL: [Self; 6] = [
         Self::None,
         Self::Spheres,
         Self::Clusters,
         Self::Cut,
+        Self::Invalid,
         Self::Error,
     ];
 
@@ -38,13 +42,17 @@ impl Overlay {
             Self::Spheres => "Spheres",
             Self::Clusters => "Clusters",
             Self::Cut => "Cut size",
+            Self::Invalid => "Invalid",
             Self::Error => "Error",
         }
     }
 
     /// What of every pixel has to be given besides the picture.
     pub(super) fn asks(self) -> &'static [Resource] {
-        &[]
+        match self {
+            Self::Invalid => &[INVALID_SAMPLES],
+            _ => &[],
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The passes, a file each, named as their declarations in `sh_scene::passes`.
 
 pub(crate) mod gbuffer;
+pub(crate) mod invalid;
 pub(crate) mod irradiance;
 pub(crate) mod light_gather;
 pub(crate) mod light_update;

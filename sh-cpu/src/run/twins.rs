@@ -4,6 +4,7 @@ use super::work::Stages;
 use crate::error::Error;
 use crate::lanes::path::Path;
 use crate::passes::gbuffer::gbuffer;
+use crate::passes::invalid::invalid;
 use crate::passes::irradiance::irradiance;
 use crate::passes::light_update::{Body, LightUpdate};
 use crate::passes::resolve::resolve;
@@ -12,7 +13,8 @@ use crate::passes::shares::shares;
 use crate::passes::upsample::upsample;
 use crate::store::{Camera, Store};
 use sh_scene::passes::{
-    GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, RESOLVE, SCATTER, SHADOW, SHARES, UPSAMPLE,
+    GBUFFER, INVALID, INVALID_SAMPLES, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, RESOLVE, SCATTER,
+    SHADOW, SHARES, UPSAMPLE,
 };
 use sh_scene::{Domain, Pass, Tiles, View};
 
@@ -26,7 +28,7 @@ pub(super) struct Twin {
 }
 
 /// All of them.
-static TWINS: [Twin; 9] = [
+static TWINS: [Twin; 10] = [
     Twin {
         pass: &LIGHT_UPDATE,
         run: light_update,
@@ -158,6 +160,23 @@ static TWINS: [Twin; 9] = [
         memory: |store, _| {
             let samples = room(&store.sets.rest.indices);
             vec![("samples of the rest of a band", samples)]
+        },
+    },
+    Twin {
+        pass: &INVALID,
+        run: |store, _, band, stages| {
+            let camera = camera(&mut store.camera)?;
+            let (view, rows) = (camera.view, camera.rows(band));
+            let tasks = u64::from(rows.len() as u32 * Tiles::SIDE / View::OVERSAMPLE);
+            let (sets, counts) = (&store.sets, camera.given(INVALID_SAMPLES, band));
+            stages.time("invalid", || {
+                invalid(&view, rows, &sets.samples, &sets.radiance, counts)
+            })?;
+            Ok(tasks)
+        },
+        memory: |store, _| {
+            let pixels = store.camera.as_ref().map_or(0, |c| c.pixels.len());
+            vec![("invalid samples", pixels * size_of::<[u32; 4]>())]
         },
     },
     Twin {

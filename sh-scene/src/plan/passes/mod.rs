@@ -3,6 +3,7 @@
 //! The table's order says which of two passes comes first where their slots leave that open.
 
 mod gbuffer;
+mod invalid;
 mod irradiance;
 mod light_gather;
 mod light_update;
@@ -13,6 +14,7 @@ mod shares;
 mod upsample;
 
 pub use gbuffer::GBUFFER;
+pub use invalid::{INVALID, INVALID_SAMPLES, InvalidSamples};
 pub use irradiance::IRRADIANCE;
 pub use light_gather::LIGHT_GATHER;
 pub use light_update::LIGHT_UPDATE;
@@ -25,7 +27,7 @@ pub use upsample::UPSAMPLE;
 use super::Pass;
 
 /// All of them.
-pub static PASSES: [&Pass; 9] = [
+pub static PASSES: [&Pass; 10] = [
     &LIGHT_UPDATE,
     &GBUFFER,
     &IRRADIANCE,
@@ -34,5 +36,6 @@ pub static PASSES: [&Pass; 9] = [
     &SHARES,
     &UPSAMPLE,
     &SCATTER,
+    &INVALID,
     &RESOLVE,
 ];

@@ -1,0 +1,73 @@
+//! The invalid pass: how many of a pixel's samples have radiance that is no number, infinite or below 0.
+
+use super::gbuffer::Gbuffer;
+use crate::device::check::{check_length, check_view};
+use crate::error::Error;
+use rayon::prelude::*;
+use sh_scene::{Tiles, View};
+use std::ops::Range;
+
+/// Counts the invalid samples of the pixel rows under the rows of tiles `rows` of `view`'s samples into `counts`, as many
+/// rows as there are in them: no number, infinite, negative in a channel, and all that met a surface.
+///
+/// `samples` and `radiance` hold these tiles.
+pub fn invalid(
+    view: &View,
+    rows: Range<u32>,
+    samples: &Gbuffer,
+    radiance: &[[f32; 3]],
+    counts: &mut [[u32; 4]],
+) -> Result<(), Error> {
+    check_view(view)?;
+    let width = view.width as usize;
+    let tiles = Tiles {
+        rows: rows.len() as u32,
+        ..view.samples().tiles()
+    };
+    check_length("samples.receivers", tiles.len(), samples.receivers.len())?;
+    check_length("radiance", tiles.len(), radiance.len())?;
+    let all = counts.par_chunks_mut(width).enumerate();
+    all.for_each(|(row, counts)| {
+        for (count, column) in counts.iter_mut().zip(0..) {
+            *count = [0; 4];
+            for sub in 0..View::OVERSAMPLE * View::OVERSAMPLE {
+                let x = column * View::OVERSAMPLE + sub % View::OVERSAMPLE;
+                let y = row as u32 * View::OVERSAMPLE + sub / View::OVERSAMPLE;
+                let at = tiles.index(x, y);
+                if samples.receivers[at].covered != 0 {
+                    count[3] += 1;
+                    if let Some(what) = what(radiance[at]) {
+                        count[what] += 1;
+                    }
+                }
+            }
+        }
+    });
+    Ok(())
+}
+
+/// Which count a radiance goes to; none for one that is as it should be.
+fn what(radiance: [f32; 3]) -> Option<usize> {
+    let any = |is: fn(f32) -> bool| radiance.into_iter().any(is);
+    let all: [fn(f32) -> bool; 3] = [f32::is_nan, f32::is_infinite, |x| x < 0.0];
+    all.into_iter().position(any)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_worst_of_three_channels_counts() {
+        let (nan, infinity) = (f32::NAN, f32::INFINITY);
+        for (radiance, found) in [
+            ([0.0, -0.0, f32::MAX], None),
+            ([-1e-45, 0.0, 1.0], Some(2)),
+            ([1.0, f32::NEG_INFINITY, -1.0], Some(1)),
+            ([infinity, 0.0, nan], Some(0)),
+            ([0.0, 0.0, -nan], Some(0)),
+        ] {
+            assert_eq!(what(radiance), found, "{radiance:?}");
+        }
+    }
+}
