@@ -7,6 +7,7 @@
 //! | `cut` | [`Cuts::find`] | receivers, their clusters, the forest of blockers | the blockers of each cluster |
 //! | `shadow` | [`shadow_clusters()`]; [`shadow()`] without a hierarchy | receivers, blockers, light | radiance |
 //! | `upsample` | [`upsample()`] | receivers, light at half resolution | radiance, and receivers it does not do for |
+//! | `invalid` | [`invalid()`] | receivers, radiance | counts of invalid samples a pixel |
 //! | `resolve` | [`resolve()`] | all of them | pixels |
 //!
 //! [`render`] strings a plan together and makes a picture, [`Frames`] one after the other. Each pass can be called by itself: receivers may as
@@ -46,6 +47,7 @@ pub use error::{Error, MAX_SIDE};
 pub use lanes::path::{Path, levels};
 pub use lanes::peak::{lanes as lane_count, multiply_adds_per_second};
 pub use passes::gbuffer::{Gbuffer, gbuffer};
+pub use passes::invalid::invalid;
 pub use passes::irradiance::{irradiance, irradiance_on};
 pub use passes::light_gather::{LightGather, light_gather};
 pub use passes::light_update::{Body, LightUpdate};

@@ -8,6 +8,7 @@ mod gpu;
 mod hard_cases;
 mod hard_scenes;
 mod host;
+mod invalid;
 mod lights;
 mod middleware;
 mod parity;
@@ -74,6 +75,14 @@ const TESTS: &[Test] = &[
     (
         "host::lights_that_do_not_fit_are_an_error",
         host::lights_that_do_not_fit_are_an_error,
+    ),
+    (
+        "invalid::counts_are_those_of_the_cpu",
+        invalid::counts_are_those_of_the_cpu,
+    ),
+    (
+        "invalid::a_frame_counts_where_somebody_asks",
+        invalid::a_frame_counts_where_somebody_asks,
     ),
     ("frame::bands_leave_no_seam", frame::bands_leave_no_seam),
     (
