@@ -3,6 +3,8 @@
 #[path = "src/link.rs"]
 mod link;
 
+use sh_codegen::constants;
+use sh_codegen::routines::ORDERS;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
@@ -18,8 +20,6 @@ const PASSES: [&str; 10] = [
     "vertices",
     "screen",
 ];
-
-const ORDERS: std::ops::RangeInclusive<usize> = 2..=6;
 
 fn main() {
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
@@ -40,6 +40,8 @@ fn main() {
             link::Library::new(&text).unwrap_or_else(|error| fail(error))
         })
         .collect();
+    let shared =
+        link::Library::new(&sh_codegen::wgsl::constants()).unwrap_or_else(|error| fail(error));
     let link = |module: &str, order: usize, accumulation: usize| {
         let choice = link::Choice {
             order,
@@ -53,6 +55,7 @@ fn main() {
             } else {
                 &[low, high]
             },
+            constants: &shared,
         };
         link::link(module, choice, modules).unwrap_or_else(|error| fail(error))
     };
@@ -93,10 +96,16 @@ fn main() {
             add("export", order, order, text);
         }
     }
+    // What a host has to know of what kernels have as well.
+    let known = ["MAX_ORDER", "WORKGROUP"].map(|name| {
+        let constant = constants::find(name).expect("a row of the table");
+        sh_codegen::emit::rust::constant(constant)
+    });
+    let known = known.join("\n");
     write(
         &out.join("sources.rs"),
         &format!(
-            "fn linked(name: &str, order: usize, accumulation: usize) -> Option<&'static str> {{\n    match (name, order, accumulation) {{\n{arms}        _ => None,\n    }}\n}}\n"
+            "{known}\nfn linked(name: &str, order: usize, accumulation: usize) -> Option<&'static str> {{\n    match (name, order, accumulation) {{\n{arms}        _ => None,\n    }}\n}}\n"
         ),
     );
 }

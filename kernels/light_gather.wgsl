@@ -19,6 +19,7 @@
 #import shared/light_sent
 #import shared/light_discs
 #import shared/light_sums
+#import constants
 #import library
 
 @group(0) @binding(0) var<uniform> lighting: Lighting;

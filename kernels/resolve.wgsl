@@ -6,6 +6,7 @@
 #import shared/band
 #import shared/tiles
 #import shared/environment
+#import constants
 
 @group(0) @binding(0) var<uniform> band: Band;
 @group(0) @binding(1) var environment: texture_2d<f32>;

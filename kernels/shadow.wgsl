@@ -14,6 +14,7 @@
 #import shared/log_shading
 #import shared/light
 #import shared/emitted
+#import constants
 #import library
 
 @group(0) @binding(0) var<uniform> lighting: Lighting;

@@ -13,6 +13,7 @@
 #import shared/tiles
 #import shared/light
 #import shared/emitted
+#import constants
 #import library
 
 @group(0) @binding(0) var<uniform> band: Band;
@@ -58,13 +59,13 @@ fn shares(
 @group(1) @binding(6) var<storage, read> half_sent: array<vec4f>;
 
 // Samples of a tile that an invocation has.
-const SAMPLES: u32 = 4u;
+const SAMPLES: u32 = AREA / WORKGROUP;
 
 // Whether spheres send light on: without them `half_sent` is not read.
 override SENT: bool = true;
 
 // Cells of the grid of samples to one at half resolution.
-const STEPS: f32 = 4.0;
+const STEPS: f32 = f32(2u * OVERSAMPLE);
 
 @compute @workgroup_size(64)
 fn upsample(

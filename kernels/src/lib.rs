@@ -40,12 +40,6 @@
 /// The lowest SH order there are kernels for.
 pub const MIN_ORDER: usize = 2;
 
-/// The highest SH order there are kernels for.
-pub const MAX_ORDER: usize = 6;
-
-/// Invocations in a workgroup of every compute entry point.
-pub const WORKGROUP: u32 = 64;
-
 /// The passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pass {
@@ -109,6 +103,7 @@ pub mod export;
 #[expect(dead_code, reason = "only the build script links")]
 mod link;
 
+// `MAX_ORDER` and `WORKGROUP`, which kernels have as well, and `linked`, which looks a text up.
 include!(concat!(env!("OUT_DIR"), "/sources.rs"));
 
 /// The flat WGSL text of a pass at an SH order, or `None` for an order outside [`MIN_ORDER`] to

@@ -4,12 +4,13 @@
 //!
 //! 1. **Imports.** A line `#import shared/x` at the start of a line brings in the module `shared/x` and
 //!    what that imports, each once, before the importing text. `#import library` is the library that
-//!    sh-codegen generates for the order at hand. An import that does not exist is an error that names
-//!    file and line.
+//!    sh-codegen generates for the order at hand, `#import constants` what it prints of the constants that
+//!    Rust has as well. An import that does not exist is an error that names file and line.
 //! 2. **Specialisation.** `$N` stands for the order and `$C` for its number of coefficients, as in
 //!    `sh$N_product` and `array<f32, $C>`; `$A` and `$B` for the same of the order that logarithms are
 //!    accumulated in.
-//! 3. **Pruning.** Only what the entry points reach stays: drivers compile every function they are given.
+//! 3. **Pruning.** Only what the entry points reach stays: drivers compile every function they are given. Of what
+//!    has no entry points all stays, but of the shared constants those that it mentions.
 //!
 //! The linker knows the items of a module by their form: an item starts at the left margin, with its
 //! comments and attributes, and ends with the first line at the left margin that ends in `}` or `;`.
@@ -58,7 +59,7 @@ pub struct Choice {
     pub accumulation: usize,
 }
 
-/// A generated library, taken apart once for all that import it.
+/// A generated text, taken apart once for all that import it.
 pub struct Library(pub Vec<Item>);
 
 impl Library {
@@ -77,6 +78,7 @@ impl Library {
             &Modules {
                 read: &nothing,
                 libraries: &[],
+                constants: &Self(Vec::new()),
             },
             &mut HashSet::new(),
             &mut items,
@@ -92,9 +94,11 @@ pub struct Modules<'a> {
     pub read: &'a dyn Fn(&str) -> Option<String>,
     /// What `library` stands for: one library or several.
     pub libraries: &'a [&'a Library],
+    /// What `constants` stands for.
+    pub constants: &'a Library,
 }
 
-/// Links the module `root`: what its entry points reach, or all of it where it has none.
+/// Links the module `root`: what its entry points reach, or, where it has none, all of it and the constants that it mentions.
 pub fn link(root: &str, choice: Choice, modules: Modules<'_>) -> Result<String, LinkError> {
     let read = modules.read;
     let mut items = Vec::new();
@@ -106,7 +110,8 @@ pub fn link(root: &str, choice: Choice, modules: Modules<'_>) -> Result<String, 
     })?;
     gather(root, &text, choice, &modules, &mut seen, &mut items)?;
     let library = !items.iter().any(|i| i.entry);
-    let kept = reached(&items, |item| item.entry || library);
+    let shared = |item: &Item| modules.constants.0.iter().any(|c| c.name == item.name);
+    let kept = reached(&items, |item| item.entry || library && !shared(item));
     let texts: Vec<_> = kept.iter().map(|i| i.text.as_str()).collect();
     Ok(texts.join("\n"))
 }
@@ -143,15 +148,20 @@ fn gather(
         if let Some(import) = line.strip_prefix("#import") {
             let import = import.trim();
             if seen.insert(import.to_string()) {
-                if import == "library" {
-                    let each = modules.libraries.iter().flat_map(|library| &library.0);
-                    items.extend(each.cloned());
+                let generated = match import {
+                    "library" => Some(modules.libraries),
+                    "constants" => Some(&[modules.constants][..]),
+                    _ => None,
+                };
+                if let Some(generated) = generated {
+                    items.extend(generated.iter().flat_map(|library| &library.0).cloned());
                     continue;
                 }
                 let text = (modules.read)(import).ok_or_else(|| {
                     error(format!(
                         "imports `{import}`, but there is no {import}.wgsl; a module is named by its path \
-                         without the ending, or `library` for the generated routines"
+                         without the ending, or `library` for the generated routines, or `constants` for the constants \
+                         that Rust has as well"
                     ))
                 })?;
                 gather(import, &text, choice, modules, seen, items)?;

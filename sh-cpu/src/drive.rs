@@ -14,6 +14,7 @@ use crate::outline::{Outline, OutlineAll};
 use crate::resolve::check_length;
 use crate::{Error, Path};
 use fearless_simd::Simd;
+use sh_core::constants::MAX_ORDER;
 use sh_core::{Lane, Routines};
 use sh_scene::{Light, Receiver};
 use std::ops::Range;
@@ -21,9 +22,8 @@ use std::ops::Range;
 /// Receivers a task: some hundred microseconds of work with a hundred blockers.
 const CHUNK: usize = 256;
 
-/// The lowest and the highest SH order that there are routines for.
+/// The lowest SH order that there are routines for.
 const MIN_ORDER: usize = 2;
-pub(crate) const MAX_ORDER: usize = 6;
 
 /// What is computed for a receiver.
 pub(crate) trait Kernel: Sync {

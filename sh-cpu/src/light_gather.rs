@@ -18,7 +18,7 @@
 mod discs;
 mod sums;
 
-pub(crate) use discs::{Disc, KEPT, discs};
+pub(crate) use discs::{Disc, discs};
 pub(crate) use sums::sums;
 
 use crate::accumulate::{Point, dot, each, look, seen_from};
@@ -27,6 +27,7 @@ use crate::irradiance::reflected;
 use crate::light_cut::Met;
 use crate::outline::{Outline, OutlineAll};
 use crate::{Error, LightCuts, Path, SphericalLights};
+use sh_core::constants::ROOM;
 use sh_core::seen::Seen;
 use sh_core::{Lane, Routines};
 use sh_scene::{Blocking, Receiver};
@@ -72,11 +73,11 @@ pub fn light_gather(
 }
 
 impl Kernel for LightGather<'_> {
-    type Room<L: Lane> = [Disc<L>; KEPT];
+    type Room<L: Lane> = [Disc<L>; ROOM];
 
     #[inline(always)]
-    fn room<L: Lane>(zero: L) -> [Disc<L>; KEPT] {
-        [Disc::nothing(zero); KEPT]
+    fn room<L: Lane>(zero: L) -> [Disc<L>; ROOM] {
+        [Disc::nothing(zero); ROOM]
     }
 
     #[inline(always)]
@@ -84,7 +85,7 @@ impl Kernel for LightGather<'_> {
         &self,
         place: &Place<L>,
         point: &Point<L>,
-        kept: &mut [Disc<L>; KEPT],
+        kept: &mut [Disc<L>; ROOM],
     ) -> [L; 3]
     where
         [L; C]: Routines<L>,

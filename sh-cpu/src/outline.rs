@@ -12,9 +12,10 @@ use crate::behind::{Change, parted};
 use crate::emitters::emitted;
 use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
 use crate::light_cut::LightCut;
-use crate::light_gather::{Disc, KEPT, discs, sums};
+use crate::light_gather::{Disc, discs, sums};
 use crate::ratio::{Logs, ratio_logs};
 use fearless_simd::Simd;
+use sh_core::constants::ROOM;
 use sh_core::{Lane, Routines};
 use sh_scene::Emitter;
 
@@ -61,7 +62,7 @@ where
         point: &Point<Self>,
         cut: &LightCut,
         lights: &SphericalLights,
-        kept: &mut [Disc<Self>; KEPT],
+        kept: &mut [Disc<Self>; ROOM],
     ) -> [Self; 3];
 
     /// The same with visibilities that are differences of exponentials.
@@ -145,7 +146,7 @@ macro_rules! routines {
             point: &Point<Self>,
             cut: &LightCut,
             lights: &SphericalLights,
-            kept: &mut [Disc<Self>; KEPT],
+            kept: &mut [Disc<Self>; ROOM],
         ) -> [Self; 3] {
             $enter(
                 point.object,

@@ -23,11 +23,12 @@
 
 use crate::accumulate::{Blockers, Point};
 use crate::behind::Behind;
-use crate::drive::{Group, Kernel, MAX_ORDER, Place, Work, check_light, drive};
+use crate::drive::{Group, Kernel, Place, Work, check_light, drive};
 use crate::irradiance::{reflected, unblocked};
 use crate::outline::{Outline, OutlineAll};
 use crate::{Cuts, Error, Path};
 use rayon::prelude::*;
+use sh_core::constants::MAX_ORDER;
 use sh_core::{Lane, Routines};
 use sh_scene::{Light, Receiver, Sphere};
 use std::ops::Range;
