@@ -33,7 +33,7 @@ const SENT: u32 = $Cu + 1u;
 
 @group(1) @binding(0) var<storage, read_write> receivers: array<Receiver>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn place(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
@@ -79,7 +79,7 @@ fn standing(sphere: u32, direction: u32) -> u32 {
     return (word >> (direction % 4u * 8u)) & 255u;
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn project(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
@@ -125,7 +125,7 @@ fn project(
 // Each before those below it.
 @group(1) @binding(0) var<storage, read> nodes: array<Node>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn raise(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

@@ -17,7 +17,7 @@
 // This band's pixels, row by row: linear red, green, blue, and the share of samples that hit something.
 @group(1) @binding(3) var<storage, read_write> picture: array<vec4f>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn resolve(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

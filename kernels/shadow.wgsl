@@ -27,7 +27,7 @@
 // Radiance reflected by albedo 1: red, green, blue, 0.
 @group(1) @binding(2) var<storage, read_write> radiance: array<vec4f>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn shadow(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

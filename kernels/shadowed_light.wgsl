@@ -26,7 +26,7 @@
 // The coefficients of a receiver one after another: red, green, blue, 0.
 @group(1) @binding(2) var<storage, read_write> light: array<vec4f>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn shadowed_light(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
