@@ -7,6 +7,7 @@
 #import shared/band
 #import shared/tiles
 #import shared/octahedral
+#import constants
 
 // One body: where it stands and how it reflects.
 struct Body {
@@ -128,7 +129,7 @@ const GROUND: u32 = 0u;
 @group(1) @binding(0) var<storage, read_write> receivers: array<Receiver>;
 @group(1) @binding(1) var<storage, read_write> albedo: array<vec4f>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn pack(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

@@ -5,6 +5,7 @@
 #import shared/invocation
 #import shared/band
 #import shared/tiles
+#import constants
 
 @group(0) @binding(0) var<uniform> band: Band;
 // This band's samples, tile by tile.
@@ -13,7 +14,7 @@
 // This band's pixels, row by row: samples that are no number, infinite, negative, and all that met a surface.
 @group(1) @binding(2) var<storage, read_write> invalid_samples: array<vec4u>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn invalid(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

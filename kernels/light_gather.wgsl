@@ -19,6 +19,7 @@
 #import shared/light_sent
 #import shared/light_discs
 #import shared/light_sums
+#import constants
 #import library
 
 @group(0) @binding(0) var<uniform> lighting: Lighting;
@@ -34,7 +35,7 @@
 // Radiance reflected by albedo 1: red, green, blue, 0.
 @group(1) @binding(2) var<storage, read_write> radiance: array<vec4f>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn gather_discs(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
@@ -61,7 +62,7 @@ fn gather_discs(
     add(range.x + at, receiver, sent);
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn gather_sums(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

@@ -9,6 +9,7 @@
 #import shared/records
 #import shared/invocation
 #import shared/light
+#import constants
 #import library
 
 // Only how many nodes there are.
@@ -16,7 +17,7 @@
 @group(0) @binding(1) var<storage, read> senders: array<Sender>;
 // Sphere by sphere.
 @group(0) @binding(2) var<storage, read> points: array<SurfacePoint>;
-// The integral of every basis function of order 6 over each direction's cell.
+// The integral of every basis function of the highest order over each direction's cell.
 @group(0) @binding(3) var<storage, read> cells: array<f32>;
 // For each direction of each sphere which of its points stands for it, four to a word from the lowest byte on.
 @group(0) @binding(5) var<storage, read> stands: array<u32>;
@@ -30,14 +31,9 @@
 // Elements of `emission` a node.
 const SENT: u32 = $Cu + 1u;
 
-const DIRECTIONS: u32 = 92u;
-
-// Basis functions a direction has in `cells`.
-const HIGHEST: u32 = 36u;
-
 @group(1) @binding(0) var<storage, read_write> receivers: array<Receiver>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn place(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
@@ -77,15 +73,13 @@ fn sent(point: u32) -> vec3f {
     return bounded(all, all);
 }
 
-const NONE: u32 = 255u;
-
-// Which of a sphere's points stands for a direction, or NONE.
+// Which of a sphere's points stands for a direction, or NO_POINT.
 fn standing(sphere: u32, direction: u32) -> u32 {
     let word = stands[(sphere * DIRECTIONS + direction) / 4u];
     return (word >> (direction % 4u * 8u)) & 255u;
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn project(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
@@ -102,14 +96,14 @@ fn project(
         var sum = vec3f(0.0);
         for (var j = 0u; j < DIRECTIONS; j += 1u) {
             let point = standing(sphere, j);
-            if (point != NONE && first + point < end) {
-                sum += sent(first + point) * cells[j * HIGHEST + lane];
+            if (point != NO_POINT && first + point < end) {
+                sum += sent(first + point) * cells[j * MOST_COEFFICIENTS + lane];
             }
         }
         vector[0][lane] = sum.r;
         vector[1][lane] = sum.g;
         vector[2][lane] = sum.b;
-        vector[3][lane] = exposed[sphere * HIGHEST + lane];
+        vector[3][lane] = exposed[sphere * MOST_COEFFICIENTS + lane];
     } else if (lane == $Cu) {
         var brightest = vec3f(0.0);
         for (var i = first; i < end; i += 1u) {
@@ -128,12 +122,10 @@ fn project(
     }
 }
 
-const ROOT_FOUR_PI: f32 = 3.5449077018110318;
-
 // Each before those below it.
 @group(1) @binding(0) var<storage, read> nodes: array<Node>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn raise(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

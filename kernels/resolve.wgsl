@@ -6,6 +6,7 @@
 #import shared/band
 #import shared/tiles
 #import shared/environment
+#import constants
 
 @group(0) @binding(0) var<uniform> band: Band;
 @group(0) @binding(1) var environment: texture_2d<f32>;
@@ -16,7 +17,7 @@
 // This band's pixels, row by row: linear red, green, blue, and the share of samples that hit something.
 @group(1) @binding(3) var<storage, read_write> picture: array<vec4f>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn resolve(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

@@ -3,6 +3,7 @@
 #import shared/records
 #import shared/invocation
 #import shared/tiles
+#import constants
 
 // The G-buffer's size, the part of it at hand, how normals are stored (texel * scale + bias), and, where depth stands
 // for position, what leads from clip space to the world and the depth of what is not covered.
@@ -41,7 +42,7 @@ fn receiver_at(position: vec3f, normal: vec3f, covered: bool) -> Receiver {
     return Receiver(position, u32(covered && size > 0.0), facing / max(size, 1e-30), 0u);
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn from_positions(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
@@ -61,7 +62,7 @@ fn from_positions(
     receivers[index] = receiver;
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn from_depth(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
@@ -87,7 +88,7 @@ fn from_depth(
 @group(1) @binding(0) var<storage, read> radiance: array<vec4f>;
 @group(1) @binding(1) var target_texture: texture_storage_2d<rgba16float, write>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn to_texture(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

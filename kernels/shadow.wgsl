@@ -14,6 +14,7 @@
 #import shared/log_shading
 #import shared/light
 #import shared/emitted
+#import constants
 #import library
 
 @group(0) @binding(0) var<uniform> lighting: Lighting;
@@ -26,7 +27,7 @@
 // Radiance reflected by albedo 1: red, green, blue, 0.
 @group(1) @binding(2) var<storage, read_write> radiance: array<vec4f>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn shadow(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

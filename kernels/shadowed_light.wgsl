@@ -13,6 +13,7 @@
 #import shared/log_saturating
 #import shared/light
 #import shared/emitted
+#import constants
 #import library
 
 @group(0) @binding(0) var<uniform> lighting: Lighting;
@@ -25,7 +26,7 @@
 // The coefficients of a receiver one after another: red, green, blue, 0.
 @group(1) @binding(2) var<storage, read_write> light: array<vec4f>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn shadowed_light(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
@@ -106,7 +107,7 @@ fn shadowed_light(
 fn with_lamps(all: array<vec3f, $C>, position: vec3f, first: u32, end: u32, without: u32) -> array<vec3f, $C> {
     var sum = all;
     for (var at = first; LAMPS && at < end; at += 1u) {
-        if (at < 32u && (without >> at & 1u) != 0u) {
+        if (at < MOST_LAMPS && (without >> at & 1u) != 0u) {
             continue;
         }
         let seen = shown(at, position);

@@ -13,6 +13,7 @@
 #import shared/tiles
 #import shared/light
 #import shared/emitted
+#import constants
 #import library
 
 @group(0) @binding(0) var<uniform> band: Band;
@@ -31,7 +32,7 @@ fn unshadowed(receiver: Receiver) -> vec3f {
     return max(reflected(lobe), vec3f(0.0)) + unshadowed_lamps(lobe, receiver);
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn shares(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
@@ -58,15 +59,15 @@ fn shares(
 @group(1) @binding(6) var<storage, read> half_sent: array<vec4f>;
 
 // Samples of a tile that an invocation has.
-const SAMPLES: u32 = 4u;
+const SAMPLES: u32 = AREA / WORKGROUP;
 
 // Whether spheres send light on: without them `half_sent` is not read.
 override SENT: bool = true;
 
 // Cells of the grid of samples to one at half resolution.
-const STEPS: f32 = 4.0;
+const STEPS: f32 = f32(2u * OVERSAMPLE);
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn upsample(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,
@@ -180,7 +181,7 @@ fn alike(sample: Receiver, receiver: Receiver, reach: f32) -> f32 {
 @group(1) @binding(1) var<storage, read> shaded_receivers: array<Receiver>;
 @group(1) @binding(2) var<storage, read> shaded: array<vec4f>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn scatter(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

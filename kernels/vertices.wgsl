@@ -2,6 +2,7 @@
 
 #import shared/records
 #import shared/invocation
+#import constants
 
 // Where the vertices stand, and where their position and normal lie: three floats each, counted in words.
 struct VertexSource {
@@ -16,7 +17,7 @@ struct VertexSource {
 @group(1) @binding(0) var<storage, read_write> receivers: array<Receiver>;
 @group(1) @binding(1) var<storage, read> vertices: array<f32>;
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn from_vertices(
     @builtin(workgroup_id) workgroup: vec3u,
     @builtin(num_workgroups) workgroups: vec3u,

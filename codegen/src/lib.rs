@@ -5,6 +5,7 @@
 //! exact  Γ and other constants as signed roots of rationals        real   …rounded once
 //! expr   expression graphs                                         basis, direct, rings, octahedral, sampled, rotation, fits: what fills them
 //! routines  the typed table of all routines                        emit   graphs to Rust and WGSL
+//! constants  the typed table of constants that both languages share
 //! ```
 //!
 //! The crate depends on nothing, reads and writes no file, and searches for nothing at run time: it is made
@@ -17,6 +18,7 @@
 //! ```
 
 pub mod basis;
+pub mod constants;
 pub mod direct;
 pub mod emit;
 pub mod exact;

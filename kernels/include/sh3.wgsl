@@ -3678,7 +3678,11 @@ fn sh3_cap_log_row(row: u32) -> array<f32, 3> {
     return z;
 }
 
-const sh3_ROOT_FOUR_PI: f32 = 3.5449077018110318;
+// sqrt(4 pi): the DC coefficient of the function that is 1 everywhere, because y0 is 1/sqrt(4 pi).
+const sh3_ROOT_FOUR_PI: f32 = 3.5449078;
+
+// The largest finite number in half precision: (2 - 1/1024) * 32768. What is beyond is brought there.
+const sh3_HALF_MAX: f32 = 65504.0;
 
 // f without DC and over 2^p, the norm of that, p, and the root of the DC factor.
 struct sh3_Halved {
@@ -3801,8 +3805,6 @@ fn sh3_cap_log_table(angle: f32) -> array<f32, 3> {
     }
     return z;
 }
-
-const sh3_HALF_MAX: f32 = 65504.0;
 
 // `f` as half-precision floats, two in each word, the one of lower index in the lower half: in memory they lie as an
 // array of 9 f16 does. An odd one at the end is followed by 0. What is beyond 65504 is brought there.

@@ -1,8 +1,5 @@
 // A horizontal band of a grid of rays, and the camera that they leave. Rays go through the cells' centres.
 
-// Samples a pixel has in each direction.
-const OVERSAMPLE: u32 = 2u;
-
 struct Band {
     // World to the clip space of this band alone; depth 1 at `near`, towards 0 at infinity.
     clip_from_world: mat4x4f,

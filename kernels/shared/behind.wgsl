@@ -6,23 +6,14 @@
 #import shared/cut
 #import shared/emitted
 #import shared/power
+#import constants
 
 // No lamp: blockers hide all that is in their direction.
 const NO_LAMP: u32 = 0xffffffffu;
 
-// sh_scene::order::LAMPS.
-const MOST_LAMPS: u32 = 32u;
-
 // Of each invocation: bit i says that lamp i may have a blocker behind it. Then of all together.
 var<workgroup> found_before: array<u32, WORKGROUP>;
 var<workgroup> lamps_before: u32;
-
-// Where a blocker counts as aside of a lamp, and how fast that changes.
-const ASIDE: f32 = 0.5;
-const STEEP: f32 = 4.0;
-const ASIDE_EDGE: f32 = 1.0655;
-const REACH: f32 = 1.42;
-const NEAR: f32 = 1.5;
 
 // sh_scene::order::Pair.
 struct LampPair {
@@ -66,7 +57,7 @@ fn leaves_lamp(lamp: u32, at: u32, bounds: vec4f) -> bool {
     let towards = node.center - bounds.xyz;
     let far = length(to);
     let near = length(towards);
-    let reach = bounds.w * 1.001;
+    let reach = bounds.w * WIDENED;
     if (far <= reach || near <= reach + NEAR * node.radius) {
         return false;
     }

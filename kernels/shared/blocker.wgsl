@@ -1,4 +1,5 @@
 #import shared/records
+#import constants
 #import library
 
 // A blocker as the receiver sees it: sine and cosine of its angular radius (0 to 90 degrees), and the
@@ -8,13 +9,6 @@ struct Blocker {
     cosine: f32,
     direction: vec3f,
 }
-
-const TINY: f32 = 1e-18;
-// Smallest square of the distance of a ball that stands for another, over the square of the other's.
-const FOOT: f32 = 1e-6;
-
-// 1 - sin^2 from which on a ball of the receiver's own body counts as others do; sh_core::seen::OWN.
-const OWN: f32 = 0.3;
 
 // What of a ball is above the horizon of a receiver; `center` is seen from there, `own` says that the ball is of the
 // receiver's own body. Twin of sh_core::seen, where the rule and its reasons stand.

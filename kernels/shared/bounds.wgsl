@@ -2,6 +2,7 @@
 
 #import shared/records
 #import shared/invocation
+#import constants
 
 var<workgroup> lowest: array<vec3f, WORKGROUP>;
 

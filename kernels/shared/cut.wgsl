@@ -3,6 +3,7 @@
 
 #import shared/records
 #import shared/blocker
+#import constants
 #import library
 
 // A blocker of a cut, and what each band of its log visibility is multiplied with (equation 37).
@@ -31,9 +32,6 @@ fn in_cut(at: u32, bounds: vec4f) -> bool {
     }
     return node.parent == at || !is_small(nodes[node.parent], bounds);
 }
-
-// sh_scene::NEGLIGIBLE.
-const NEGLIGIBLE: f32 = 0.001953125;
 
 // Whether a node of a cut is too small to matter to any receiver of the cluster: sh_scene::Forest::is_negligible. Where
 // only leaves count none is, because sin_max is 0.

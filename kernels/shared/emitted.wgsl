@@ -3,12 +3,10 @@
 
 #import shared/records
 #import shared/light
+#import constants
 #import library
 
-const ROOT_PI: f32 = 1.7724538509055160;
-
-// Below this distance a receiver is taken to be at a light's centre.
-const NEAREST: f32 = 1e-30;
+const ROOT_PI: f32 = 0.5 * ROOT_FOUR_PI;
 
 // Whether there may be analytic lights: without them nothing of this is compiled.
 override LAMPS: bool = true;
@@ -83,7 +81,7 @@ fn emitted(
 ) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = first; LAMPS && i < end; i += 1u) {
-        if (i < 32u && (without >> i & 1u) != 0u) {
+        if (i < MOST_LAMPS && (without >> i & 1u) != 0u) {
             continue;
         }
         let seen = shown(i, receiver.position);

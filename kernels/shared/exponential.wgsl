@@ -8,9 +8,8 @@
 // The DC factor exp(f0 / sqrt(4 pi)) is spread over the squarings, its 2^p-th root before the first. Applied
 // afterwards, exp(f^) of many blockers would overflow before that small factor could bring it back.
 
+#import constants
 #import library
-
-const ROOT_FOUR_PI: f32 = 3.5449077018110318;
 
 // f without DC and over 2^p, the norm of that, p, and the root of the DC factor.
 struct Halved {

@@ -5,6 +5,7 @@
 #import shared/blocker
 #import shared/light_order
 #import shared/light_sent
+#import constants
 #import library
 
 // Words of a mask with a bit for each sphere.
@@ -163,9 +164,6 @@ fn hidden_by(receiver: Receiver, i: u32, own: Blocker, j: u32, left: f32) -> f32
     return covered * part * (1.0 + (left - 1.0) * ahead);
 }
 
-// More than three angles err by together, in radians: discs that are apart by so much cover nothing of each other.
-const ANGLES_ERR: f32 = 3e-4;
-
 // What does not count has a sine of 0, and any cosine.
 fn counted_cosine(seen: Blocker) -> f32 {
     return select(1.0, seen.cosine, seen.sine > 0.0);
@@ -174,7 +172,7 @@ fn counted_cosine(seen: Blocker) -> f32 {
 // The angle of a cosine, 0 to pi, by Abramowitz and Stegun 1964, 4.4.45: it errs by at most 6.8e-5.
 fn angle(cosine: f32) -> f32 {
     let x = min(abs(cosine), 1.0);
-    let p = ((x * -0.0187293 + 0.0742610) * x - 0.2121144) * x + 1.5707288;
+    let p = ((x * ANGLE_CUBIC + ANGLE_SQUARE) * x + ANGLE_LINEAR) * x + ANGLE_CONSTANT;
     let acute = sqrt(1.0 - x) * p;
     return select(acute, 3.14159265 - acute, cosine < 0.0);
 }

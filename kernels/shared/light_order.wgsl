@@ -6,11 +6,9 @@
 #import shared/cut
 #import shared/blocker
 #import shared/power
+#import constants
 
-// Spheres of a cut that workgroup memory holds.
-const ROOM: u32 = 128u;
-
-// The node of each, its centre and radius, and its power against the middle of the cluster.
+// Of each sphere of a cut the node, its centre and radius, and its power against the middle of the cluster.
 var<workgroup> names: array<u32, ROOM>;
 
 var<workgroup> balls: array<vec4f, ROOM>;
@@ -30,9 +28,6 @@ struct Met {
     node: u32,
     power: f32,
 }
-
-// The body of a node that stands for several.
-const NO_BODY: u32 = 0xffffffffu;
 
 // One of those in workgroup memory.
 fn met(at: u32) -> Met {

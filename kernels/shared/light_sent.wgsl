@@ -3,6 +3,7 @@
 #import shared/records
 #import shared/blocker
 #import shared/light
+#import constants
 #import library
 
 // Elements of `emission` a node: its coefficients, with those of how much of it can be seen, and the brightest that it
@@ -13,9 +14,6 @@ const SENT: u32 = $Cu + 1u;
 fn shines(node: u32) -> bool {
     return any(emission[node * SENT + $Cu].rgb > vec3f(0.0));
 }
-
-// No node gives so many times what its mean radiance says.
-const MOST_GAIN: f32 = 4.0;
 
 const SMALLEST_SQUARE: f32 = 1.2e-38;
 

@@ -8,6 +8,7 @@
 #import shared/blocker
 #import shared/light_order
 #import shared/light_sent
+#import constants
 #import library
 
 // What each band of a sphere's log visibility is multiplied with.
@@ -100,15 +101,13 @@ fn run_end(start: u32, count: u32) -> u32 {
     return end;
 }
 
-const WHOLE: f32 = 3.5449077018110318;
-
 // All spheres in workgroup memory, one run after another.
 fn sums_in_memory(receiver: Receiver, count: u32, middle: vec3f) -> vec3f {
     let lobe = sh$N_cosine(receiver.normal);
     var sent = vec3f(0.0);
     // The sum over all runs that are done, and what is left to be seen behind it, where somebody needed that already.
     var nearer = array<f32, $C>();
-    var left = lobe[0] * WHOLE;
+    var left = lobe[0] * ROOT_FOUR_PI;
     var known = true;
     var start = 0u;
     while (start < count) {

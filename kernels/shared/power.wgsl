@@ -1,7 +1,6 @@
 // In which order spheres hide each other; sh_scene::order.
 
-// The least width over which an order changes, over the radius of the smaller sphere.
-const SHARPEST: f32 = 0.01;
+#import constants
 
 const SMALLEST_DIVISOR: f32 = 1.2e-38;
 

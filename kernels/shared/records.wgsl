@@ -1,5 +1,7 @@
 // The records that Rust and WGSL share; a test compares both layouts.
 
+#import constants
+
 // A point that is lit; sh_scene::Receiver.
 struct Receiver {
     position: vec3f,
@@ -33,11 +35,11 @@ struct Emitter {
     radiance: vec3f,
     local: f32,
     // What each band is multiplied with.
-    gains: array<f32, 6>,
+    gains: array<f32, MAX_ORDER>,
     // That of its distribution; 0: it is equally bright all over.
     order: u32,
     // How bright it is where, in parts of the radiance: SH coefficients (red, green, blue).
-    distribution: array<vec4f, 36>,
+    distribution: array<vec4f, MOST_COEFFICIENTS>,
 }
 
 // What is the same for all receivers: how many nodes and emitters there are, how coarse cuts may be
@@ -48,7 +50,7 @@ struct Lighting {
     emitters: u32,
     sin_max: f32,
     sin_min: f32,
-    coefficients: array<vec4f, 36>,
+    coefficients: array<vec4f, MOST_COEFFICIENTS>,
 }
 
 // Where light at half resolution will do for a sample; the constants of sh_scene::upsample.

@@ -1,6 +1,7 @@
 // Sums over a workgroup, the same in every run.
 
 #import shared/invocation
+#import constants
 
 var<workgroup> sums: array<u32, WORKGROUP>;
 

@@ -1,6 +1,6 @@
 // Coefficients as half-precision floats, two a word.
 
-const HALF_MAX: f32 = 65504.0;
+#import constants
 
 // `f` as half-precision floats, two in each word, the one of lower index in the lower half: in memory they lie as an
 // array of $C f16 does. An odd one at the end is followed by 0. What is beyond 65504 is brought there.

@@ -1,8 +1,6 @@
 // How a grid is stored: tile by tile, each row by row. Twin of sh_scene::Tiles.
 
-const SIDE: u32 = 16u;
-
-const AREA: u32 = 256u;
+#import constants
 
 // Where the cell of a column and row is stored, in a grid that many tiles across.
 fn tile_index(column: u32, row: u32, tiles_across: u32) -> u32 {

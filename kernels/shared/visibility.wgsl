@@ -8,12 +8,13 @@
 #import shared/blocker
 #import shared/emitted
 #import shared/behind
+#import constants
 #import library
 
 // Nodes that an invocation looks at between two barriers.
 const EACH: u32 = 4u;
 
-const CHUNK: u32 = 256u;
+const CHUNK: u32 = EACH * WORKGROUP;
 
 // Those of a chunk of nodes that are in the cut.
 var<workgroup> cut: array<Weighted, CHUNK>;

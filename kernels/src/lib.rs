@@ -24,12 +24,6 @@
 /// The lowest SH order there are kernels for.
 pub const MIN_ORDER: usize = 2;
 
-/// The highest SH order there are kernels for.
-pub const MAX_ORDER: usize = 6;
-
-/// Invocations in a workgroup of every compute entry point.
-pub const WORKGROUP: u32 = 64;
-
 mod bindings;
 
 pub use bindings::{Binding, EntryPoint, Kind, Stage};
@@ -41,6 +35,7 @@ pub mod export;
 mod link;
 
 include!(concat!(env!("OUT_DIR"), "/passes.rs"));
+// `MAX_ORDER` and `WORKGROUP`, which kernels have as well, and `linked`, which looks a text up.
 include!(concat!(env!("OUT_DIR"), "/sources.rs"));
 
 /// The flat WGSL text of a pass at an SH order, or `None` for an order outside [`MIN_ORDER`] to

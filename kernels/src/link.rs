@@ -4,12 +4,13 @@
 //!
 //! 1. **Imports.** A line `#import shared/x` at the start of a line brings in the module `shared/x` and
 //!    what that imports, each once, before the importing text. `#import library` is the library that
-//!    sh-codegen generates for the order at hand. An import that does not exist is an error that names
-//!    file and line.
+//!    sh-codegen generates for the order at hand, `#import constants` what it prints of the constants that
+//!    Rust has as well. An import that does not exist is an error that names file and line.
 //! 2. **Specialisation.** `$N` stands for the order and `$C` for its number of coefficients, as in
 //!    `sh$N_product` and `array<f32, $C>`; `$A` and `$B` for the same of the order that logarithms are
 //!    accumulated in.
-//! 3. **Pruning.** Only what the entry points reach stays: drivers compile every function they are given.
+//! 3. **Pruning.** Only what the entry points reach stays: drivers compile every function they are given. Of what
+//!    has no entry points all stays, but of the shared constants those that it mentions.
 //!
 //! The linker knows the items of a module by their form: an item starts at the left margin, with its
 //! comments and attributes, and ends with the first line at the left margin that ends in `}` or `;`.
@@ -60,7 +61,7 @@ pub struct Choice {
     pub accumulation: usize,
 }
 
-/// A generated library, taken apart once for all that import it.
+/// A generated text, taken apart once for all that import it.
 pub struct Library(pub Vec<Item>);
 
 impl Library {
@@ -79,6 +80,7 @@ impl Library {
             &Modules {
                 read: &nothing,
                 libraries: &[],
+                constants: &Self(Vec::new()),
             },
             &mut HashSet::new(),
             &mut items,
@@ -94,6 +96,8 @@ pub struct Modules<'a> {
     pub read: &'a dyn Fn(&str) -> Option<String>,
     /// What `library` stands for: one library or several.
     pub libraries: &'a [&'a Library],
+    /// What `constants` stands for.
+    pub constants: &'a Library,
 }
 
 /// All items of the module `root`, those of its imports first.
@@ -110,10 +114,11 @@ pub fn items(root: &str, choice: Choice, modules: Modules<'_>) -> Result<Vec<Ite
     Ok(items)
 }
 
-/// One text of what the entry points reach, or of all items where none is one.
-pub fn flat(items: &[Item]) -> String {
+/// One text of what the entry points reach, or, where there are none, of all items and those of `shared` that they mention.
+pub fn flat(items: &[Item], shared: &Library) -> String {
     let library = !items.iter().any(|i| i.entry);
-    let kept = reached(items, |item| item.entry || library);
+    let own = |item: &Item| !shared.0.iter().any(|of| of.name == item.name);
+    let kept = reached(items, |item| item.entry || library && own(item));
     let texts: Vec<_> = kept.iter().map(|i| i.text.as_str()).collect();
     texts.join("\n")
 }
@@ -150,15 +155,20 @@ fn gather(
         if let Some(import) = line.strip_prefix("#import") {
             let import = import.trim();
             if seen.insert(import.to_string()) {
-                if import == "library" {
-                    let each = modules.libraries.iter().flat_map(|library| &library.0);
-                    items.extend(each.cloned());
+                let generated = match import {
+                    "library" => Some(modules.libraries),
+                    "constants" => Some(&[modules.constants][..]),
+                    _ => None,
+                };
+                if let Some(generated) = generated {
+                    items.extend(generated.iter().flat_map(|library| &library.0).cloned());
                     continue;
                 }
                 let text = (modules.read)(import).ok_or_else(|| {
                     error(format!(
                         "imports `{import}`, but there is no {import}.wgsl; a module is named by its path \
-                         without the ending, or `library` for the generated routines"
+                         without the ending, or `library` for the generated routines, or `constants` for the constants \
+                         that Rust has as well"
                     ))
                 })?;
                 gather(import, &text, choice, modules, seen, items)?;

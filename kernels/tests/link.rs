@@ -27,11 +27,14 @@ fn link(
     read: &dyn Fn(&str) -> Option<String>,
 ) -> Result<String, LinkError> {
     let library = Library::new("fn helper() {\n}\n\nfn idle() {\n}\n")?;
+    let constants =
+        Library::new("const SIZE: u32 = 4u;\n\n// Of nobody.\nconst SPARE: u32 = 5u;\n")?;
     let modules = Modules {
         read,
         libraries: &[&library],
+        constants: &constants,
     };
-    Ok(link::flat(&link::items(root, choice, modules)?))
+    Ok(link::flat(&link::items(root, choice, modules)?, &constants))
 }
 
 #[test]
@@ -39,6 +42,24 @@ fn of_the_library_only_what_is_reached_stays() {
     let pass = format!("#import library\nfn used() {{\n    helper();\n}}\n{MAIN}");
     let text = link("pass", of(4), &files(&[("pass", &pass)])).unwrap();
     assert!(text.contains("fn helper()") && !text.contains("idle"));
+}
+
+#[test]
+fn of_shared_constants_only_what_is_mentioned_stays() {
+    let used = "#import constants\nfn used() {\n    let size = SIZE;\n}\n";
+    // Where there is an entry point, and where all else stays.
+    for (text, all) in [
+        (format!("{used}{MAIN}"), false),
+        (format!("#import library\n{used}"), true),
+    ] {
+        let text = link("pass", of(4), &files(&[("pass", &text)])).unwrap();
+        assert_eq!(text.matches("const SIZE: u32 = 4u;").count(), 1, "{text}");
+        assert!(
+            !text.contains("SPARE") && !text.contains("nobody"),
+            "{text}"
+        );
+        assert_eq!(text.contains("idle"), all);
+    }
 }
 
 const MAIN: &str = "@compute @workgroup_size(64)\nfn main() {\n    used();\n}\n";

@@ -56,6 +56,8 @@ compile_error!("sh-core needs elementary functions: enable the feature `std` (de
 
 mod adapters;
 pub mod cap;
+#[doc(hidden)]
+pub mod constants;
 pub mod convention;
 pub mod exp;
 mod generated;

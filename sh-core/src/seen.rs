@@ -23,14 +23,8 @@
 //! rises above its horizon is for the most part not there. So a ball of the receiver's own body does not count inside of it,
 //! and comes gradually outside: its sine, and that alone, grows with 1 − sin² of the ball as it is, until that is [`OWN`].
 
+use crate::constants::{self, FOOT, TINY};
 use crate::{Lane, Routines};
-
-/// Smallest divisor, in metres: far below any distance that matters, far above the point where its reciprocal, or that of
-/// two of them, overflows.
-const TINY: f64 = 1e-18;
-
-/// Smallest square of the distance of a ball that stands for another, over the square of the other's.
-const FOOT: f64 = 1e-6;
 
 /// 1 − sin² of the angular radius from which on a ball of the receiver's own body counts as others do: .2 radii outside.
 ///
@@ -40,7 +34,7 @@ const FOOT: f64 = 1e-6;
 /// assert_eq!(own(1.0), 0.0);
 /// assert!((own((1.0 - OWN).sqrt().recip()) - (1.0 - OWN).sqrt()).abs() < 1e-12);
 /// ```
-pub const OWN: f64 = 0.3;
+pub const OWN: f64 = constants::OWN;
 
 /// A ball as a receiver sees it: sine and cosine of its angular radius (0..=90°), and the direction of its centre. A sine
 /// of 0 means that it does not count.

@@ -1,6 +1,6 @@
 //! The SH vector types: n² coefficients of one function, or of three colour channels.
 
-use crate::{Lane, Routines};
+use crate::{Lane, Routines, constants};
 use core::ops::{Add, AddAssign, Index, IndexMut, Mul, Neg, Sub, SubAssign};
 
 /// A spherical function of order n as its `C` = n² coefficients, index l·l + l + m.
@@ -51,7 +51,7 @@ aliases! {
 /// use sh_core::{ROOT_FOUR_PI, Sh2d};
 /// assert_eq!(Sh2d::ONE.0, [ROOT_FOUR_PI, 0.0, 0.0, 0.0]);
 /// ```
-pub const ROOT_FOUR_PI: f64 = 3.544_907_701_811_032;
+pub const ROOT_FOUR_PI: f64 = constants::ROOT_FOUR_PI;
 
 macro_rules! constants {
     ($($t:ty)*) => { $(

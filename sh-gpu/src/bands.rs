@@ -17,7 +17,7 @@ const ROW_STEP: u32 = 16 * View::OVERSAMPLE;
 
 /// The near plane, for a camera that looks at something 1 away. Depth is a float that is largest there, so
 /// that it costs no precision to put it this near.
-const NEAR: f32 = 1e-4;
+const NEAR_PLANE: f32 = 1e-4;
 
 /// The bands of a grid through a picture of a given size, top to bottom, and their records on the GPU.
 ///
@@ -203,7 +203,7 @@ impl Bands {
         if !(view.camera.fov > 0.0 && view.camera.fov < std::f32::consts::PI) {
             return fail("has no angle; the field of view must lie between 0 and π");
         }
-        let near = reach * NEAR;
+        let near = reach * NEAR_PLANE;
         let [right, up, forward] = view.axes();
         let tall = (view.camera.fov * 0.5).tan();
         let wide = tall * view.width as f32 / view.height as f32;

@@ -7,6 +7,7 @@ use crate::scope::checked;
 use crate::slot::Slot;
 use crate::upload::{Kept, Known};
 use crate::{Bound, ClusterBinding, Error, ShadowPass};
+use sh_core::constants::NO_BODY;
 use sh_kernels::Pass;
 use sh_scene::{Blocking, Forest};
 use std::sync::Arc;
@@ -14,9 +15,6 @@ use wgpu::{
     BindGroup, Buffer, BufferBinding, BufferUsages, CommandEncoder, ComputePassTimestampWrites,
     Device, Queue,
 };
-
-/// The body of a node that stands for several.
-const NO_BODY: u32 = u32::MAX;
 
 /// Light that spheres send on, shadowed by all others, on the host's device, queue and encoder.
 ///

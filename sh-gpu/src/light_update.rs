@@ -10,7 +10,7 @@ use crate::{Bound, Error, LightGatherPass, ShadowPass};
 use glam::{Affine3A, Mat4, Quat};
 use kernels::Kernels;
 use memory::{Counts, Memory, of, whole};
-use sh_scene::surface::{COEFFICIENTS, DIRECTIONS, SurfacePoint, SurfaceSamples};
+use sh_scene::surface::{DIRECTIONS, MOST_COEFFICIENTS, SurfacePoint, SurfaceSamples};
 use sh_scene::{Forest, Object, Receiver};
 use wgpu::{BindGroup, Buffer, CommandEncoder, ComputePassTimestampWrites, Device, Queue};
 
@@ -103,7 +103,7 @@ struct Uploads {
     /// For each of a sphere's directions the point that stands for it.
     stands: Vec<[u8; DIRECTIONS]>,
     /// How much can be seen of each sphere.
-    exposed: Vec<[f32; COEFFICIENTS]>,
+    exposed: Vec<[f32; MOST_COEFFICIENTS]>,
     clusters: Vec<[u32; 2]>,
     senders: Vec<Sender>,
     /// The node of each sphere.

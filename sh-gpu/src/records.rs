@@ -9,6 +9,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3};
+use sh_core::constants::MOST_COEFFICIENTS;
 use sh_scene::upsample;
 
 /// `struct Lighting`: what is the same for all receivers.
@@ -24,7 +25,7 @@ pub struct Lighting {
     /// [`sh_scene::Limits::sin_min`].
     pub sin_min: f32,
     /// SH coefficients of the environment's radiance: red, green, blue, 0. Those beyond the order are 0.
-    pub coefficients: [[f32; 4]; 36],
+    pub coefficients: [[f32; 4]; MOST_COEFFICIENTS],
 }
 
 /// `struct Band`: a horizontal band of a grid of rays through the picture, and the camera.

@@ -1,6 +1,7 @@
 //! The camera, and the grid of samples it looks through.
 
 use glam::{Mat4, Vec3, Vec4};
+use sh_core::constants;
 
 /// Where the picture is taken from. +Y is up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,7 +88,7 @@ pub struct View {
 
 impl View {
     /// Samples per pixel in each direction.
-    pub const OVERSAMPLE: u32 = 2;
+    pub const OVERSAMPLE: u32 = constants::OVERSAMPLE;
 
     /// The camera's axes: right, up and forward, unit vectors. Looking straight up or down, +Z stands in
     /// for +Y.
@@ -194,10 +195,10 @@ pub struct Tiles {
 
 impl Tiles {
     /// Cells of a tile across and down.
-    pub const SIDE: u32 = 16;
+    pub const SIDE: u32 = constants::SIDE;
 
     /// Cells of a tile.
-    pub const AREA: usize = (Self::SIDE * Self::SIDE) as usize;
+    pub const AREA: usize = constants::AREA;
 
     /// Where the cell of column `x` and row `y` is stored.
     pub fn index(&self, x: u32, y: u32) -> usize {

@@ -7,11 +7,9 @@
 
 use crate::{EnvironmentMap, LightError};
 use glam::{Quat, Vec3};
+use sh_core::constants::{MAX_ORDER, MOST_COEFFICIENTS};
 use sh_core::{Routines, ShRgb, cap, project};
 use std::f64::consts::PI;
-
-/// Coefficients of the highest order.
-const MOST: usize = 36;
 
 /// How bright each part of a ball's surface is, in parts of its light's radiance: red, green and blue, as SH functions of
 /// the direction from the ball's centre.
@@ -25,7 +23,7 @@ const MOST: usize = 36;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distribution {
-    coefficients: [[f32; 3]; MOST],
+    coefficients: [[f32; 3]; MOST_COEFFICIENTS],
 }
 
 impl Distribution {
@@ -35,11 +33,11 @@ impl Distribution {
     /// Where there are not as many as an order from 1 to 6 has, or one is not finite.
     pub fn new(coefficients: &[[f32; 3]]) -> Result<Self, LightError> {
         let count = coefficients.len();
-        let is_order = (1..=6).any(|order| order * order == count);
+        let is_order = (1..=MAX_ORDER).any(|order| order * order == count);
         if !is_order || coefficients.iter().flatten().any(|c| !c.is_finite()) {
             return Err(LightError::Distribution);
         }
-        let mut all = [[0.0; 3]; MOST];
+        let mut all = [[0.0; 3]; MOST_COEFFICIENTS];
         all[..count].copy_from_slice(coefficients);
         Ok(Self { coefficients: all })
     }
@@ -54,12 +52,12 @@ impl Distribution {
             return Err(LightError::Spread(angle));
         }
         // What a cap hides of the sky is what it shows of the ball.
-        let dark = cap::visibility::<MOST>(f64::from(angle));
+        let dark = cap::visibility::<MOST_COEFFICIENTS>(f64::from(angle));
         let zonal = std::array::from_fn(|l| match l {
             0 => PI.sqrt() * (1.0 - f64::from(angle).cos()),
             l => -dark[l],
         });
-        let lit = <[f64; MOST]>::zonal(zonal, unit.to_array().map(f64::from));
+        let lit = <[f64; MOST_COEFFICIENTS]>::zonal(zonal, unit.to_array().map(f64::from));
         Ok(Self {
             coefficients: lit.map(|c| [c as f32; 3]),
         })
@@ -75,20 +73,20 @@ impl Distribution {
     pub fn of_map(map: &EnvironmentMap) -> Self {
         let (width, height) = (map.width as usize, map.height as usize);
         let texel = |x: usize, y: usize| map.pixels[x + y * width];
-        let ShRgb { r, g, b } = project::equirectangular::<MOST>(width, height, texel);
+        let ShRgb { r, g, b } = project::equirectangular::<MOST_COEFFICIENTS>(width, height, texel);
         Self {
             coefficients: std::array::from_fn(|i| [r.0[i], g.0[i], b.0[i]].map(|c| c as f32)),
         }
     }
 
     /// All 36 coefficients.
-    pub fn coefficients(&self) -> &[[f32; 3]; MOST] {
+    pub fn coefficients(&self) -> &[[f32; 3]; MOST_COEFFICIENTS] {
         &self.coefficients
     }
 
     /// The brightness in a direction from the centre, of unit length; not below 0.
     pub fn at(&self, direction: Vec3) -> [f32; 3] {
-        let basis = <[f32; MOST]>::basis(direction.to_array());
+        let basis = <[f32; MOST_COEFFICIENTS]>::basis(direction.to_array());
         let mut sum = [0.0; 3];
         for (y, coefficient) in basis.iter().zip(&self.coefficients) {
             for (sum, c) in sum.iter_mut().zip(coefficient) {
@@ -100,8 +98,8 @@ impl Distribution {
 
     /// The same on a ball that is turned.
     pub fn turned(&self, rotation: Quat) -> Self {
-        let channel = |c: usize| -> [f32; MOST] {
-            let own: [f32; MOST] = self.coefficients.map(|k| k[c]);
+        let channel = |c: usize| -> [f32; MOST_COEFFICIENTS] {
+            let own: [f32; MOST_COEFFICIENTS] = self.coefficients.map(|k| k[c]);
             own.rotate(rotation.to_array())
         };
         let [red, green, blue] = [0, 1, 2].map(channel);

@@ -3,6 +3,7 @@
 use crate::{Distribution, LightError, Object};
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
+use sh_core::constants::{MAX_ORDER, MOST_COEFFICIENTS};
 
 /// What a light is and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,14 +58,14 @@ pub struct Emitter {
     /// 1 for a local light, 0 for a distant one.
     pub local: f32,
     /// What each band of its SH vector is multiplied with: the window.
-    pub gains: [f32; 6],
+    pub gains: [f32; MAX_ORDER],
     /// The order of its distribution; 0: it is even.
     pub order: u32,
     /// 0.
     pub unused: u32,
     /// How bright each part of a ball is, in parts of the radiance: order² coefficients of red, green and blue; the rest
     /// is 0.
-    pub distribution: [[f32; 4]; 36],
+    pub distribution: [[f32; 4]; MOST_COEFFICIENTS],
 }
 
 impl AreaLight {
@@ -173,11 +174,11 @@ impl AreaLight {
             Some(width) => width,
             None => crate::ringing::of_small_light(order),
         };
-        let mut gains = [0.0; 6];
+        let mut gains = [0.0; MAX_ORDER];
         for (l, gain) in gains.iter_mut().enumerate().take(order) {
             *gain = crate::ringing::gain(l, width);
         }
-        let mut distribution = [[0.0; 4]; 36];
+        let mut distribution = [[0.0; 4]; MOST_COEFFICIENTS];
         if let Some(own) = &self.distribution {
             let count = order * order;
             for (out, [r, g, b]) in distribution.iter_mut().zip(own.coefficients()).take(count) {

@@ -6,6 +6,9 @@
 
 use glam::Vec3;
 
+#[doc(inline)]
+pub use sh_core::constants::{MOST_LAMPS, SHARPEST};
+
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball {
@@ -14,9 +17,6 @@ pub struct Ball {
     /// Its radius.
     pub radius: f32,
 }
-
-/// The least width over which an order changes, over the radius of the smaller sphere.
-pub const SHARPEST: f32 = 0.01;
 
 /// Half of the distance over which the order of two spheres changes, whose centres are so far `apart`: the radius of the
 /// circle in which they cut each other, at least [`SHARPEST`] of the smaller one's radius.
@@ -58,10 +58,6 @@ pub fn share_of([hidden, hider]: [&Ball; 2], from: Vec3) -> f32 {
     let lead = power(hidden, from) - power(hider, from);
     (0.5 + lead * slope.min(f32::MAX)).clamp(0.0, 1.0)
 }
-
-/// Lamps of a light that are hidden only by what is before them; any further one is hidden by all that is in its
-/// direction.
-pub const LAMPS: usize = 32;
 
 /// How a lamp and a blocker stand to each other, wherever they are seen from.
 ///

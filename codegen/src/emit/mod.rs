@@ -76,3 +76,21 @@ pub(crate) fn wrapped(items: &[String], indent: &str) -> String {
     }
     text + line.trim_end() + "\n"
 }
+
+/// A comment of words, broken over lines of at most 120 columns; `mark` begins each.
+pub(crate) fn comment(words: &str, mark: &str) -> String {
+    let mut text = String::new();
+    let mut columns = 0;
+    for word in words.split_whitespace() {
+        let length = word.chars().count() + 1;
+        if columns == 0 || columns + length > 120 {
+            text += if columns == 0 { "" } else { "\n" };
+            text += mark;
+            columns = mark.len();
+        }
+        text += " ";
+        text += word;
+        columns += length;
+    }
+    text + "\n"
+}

@@ -1,14 +1,12 @@
 //! Half precision: two coefficients a word.
 
+use crate::constants::HALF_MAX;
 use crate::{Sh, ShRgb};
 use half::f16;
 
-/// The largest finite number in half precision.
-const LARGEST: f32 = 65504.0;
-
 /// Two numbers as one word, the first in its lower half.
 fn word(first: f32, second: f32) -> u32 {
-    let bits = |x: f32| u32::from(f16::from_f32(x.clamp(-LARGEST, LARGEST)).to_bits());
+    let bits = |x: f32| u32::from(f16::from_f32(x.clamp(-HALF_MAX, HALF_MAX)).to_bits());
     bits(first) | bits(second) << 16
 }
 

@@ -11,8 +11,9 @@
 use super::accumulate::{Blockers, Point, above, dot, each, seen_from, whole};
 use super::horizon::is_far;
 use glam::Vec3;
+use sh_core::constants::{ASIDE, ASIDE_EDGE, MOST_LAMPS, NEAR, NEAREST, REACH, STEEP, WIDENED};
 use sh_core::{Lane, Routines};
-use sh_scene::order::{Ball, LAMPS, Pair, is_clear};
+use sh_scene::order::{Ball, Pair, is_clear};
 use sh_scene::{Blocker, Bounds, Emitter, Forest, Side};
 
 /// What a cluster's lamps are not hidden by.
@@ -37,22 +38,6 @@ pub struct Change {
     most: f32,
     slope: f32,
 }
-
-/// Cosine of the angle between a lamp and a blocker, plus the sine of the blocker's radius, up to which the blocker counts
-/// as aside; and one over the width of the change from there to where it counts as in the lamp's direction.
-const ASIDE: f64 = 0.5;
-const STEEP: f64 = 4.0;
-
-/// No sphere within a ball whose edge is so far from a lamp, in radians, is nearer to it than aside: π/2 − 2 asin ¼.
-const EDGE: f32 = 1.0655;
-
-/// What takes the place of a blocker across a tangent plane lies within so many of its radii from its centre, for receivers
-/// that are not nearer to that than [`NEAR`] radii.
-const REACH: f32 = 1.42;
-const NEAR: f32 = 1.5;
-
-/// Below this distance a receiver is taken to be at a lamp's centre.
-const TINY: f64 = 1e-30;
 
 impl Change {
     /// One that counts `base` times, wherever it is seen from.
@@ -204,7 +189,7 @@ impl Behind {
 
 /// A lamp that may be before a blocker: a ball, of those that are told apart.
 fn ball(index: usize, emitter: &Emitter) -> Option<Ball> {
-    let local = emitter.local != 0.0 && index < LAMPS;
+    let local = emitter.local != 0.0 && index < MOST_LAMPS;
     local.then(|| Ball {
         center: emitter.center.into(),
         radius: emitter.radius,
@@ -222,15 +207,14 @@ fn ball_of(blocker: &Blocker) -> Ball {
 fn is_aside(lamp: &Ball, blocker: &Ball, in_front: bool, bounds: &Bounds) -> bool {
     let [to, towards] = [lamp, blocker].map(|ball| ball.center - bounds.center);
     let [far, near] = [to, towards].map(Vec3::length);
-    // Rounding moves the bounds by less.
-    let reach = bounds.radius * 1.001;
+    let reach = bounds.radius * WIDENED;
     let [from, wide] = if in_front { [1.0; 2] } else { [NEAR, REACH] };
     if !(far > reach && near > reach + from * blocker.radius) {
         return false;
     }
     let spread = (reach / far).asin() + (reach / near).asin();
     let angle = (to.dot(towards) / (far * near)).clamp(-1.0, 1.0).acos();
-    angle - spread - (wide * blocker.radius / (near - reach)).min(1.0).asin() > EDGE
+    angle - spread - (wide * blocker.radius / (near - reach)).min(1.0).asin() > ASIDE_EDGE
 }
 
 /// A lamp's sum, on the scale of [`Routines::accumulate_blocker`]: that of all blockers, less what is behind it. What
@@ -250,7 +234,7 @@ where
     let away = seen_from(&emitter.center, point);
     let square = |radius: f32| zero.lift(f64::from(radius) * f64::from(radius));
     let lamp = dot(away, away) - square(emitter.radius);
-    let inverse = one / dot(away, away).sqrt().max(zero.lift(TINY));
+    let inverse = one / dot(away, away).sqrt().max(zero.lift(NEAREST));
     let direction = each(
         #[inline(always)]
         |k| away[k] * inverse,

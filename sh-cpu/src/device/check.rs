@@ -1,12 +1,12 @@
 //! Whether a pass can work with what a caller hands in.
 
 use crate::error::{Error, MAX_SIDE};
+use sh_core::constants::MAX_ORDER;
 use sh_scene::{EnvironmentMap, Light, View};
 use std::ops::Range;
 
-/// The lowest and the highest SH order that there are routines for.
+/// The lowest SH order that there are routines for.
 const MIN_ORDER: usize = 2;
-pub(crate) const MAX_ORDER: usize = 6;
 
 /// Whether a buffer has one entry a sample.
 pub(crate) fn check_length(

@@ -6,14 +6,14 @@
 
 use super::accumulate::Blockers;
 use super::behind::Behind;
-use super::check::MAX_ORDER;
 use super::horizon::{is_below, is_far};
 use super::logs::Logs;
 use super::ratio::{Detail, Ratios};
 use crate::lanes::path::Path;
 use glam::Vec3;
 use rayon::prelude::*;
-use sh_scene::order::LAMPS;
+use sh_core::constants::MAX_ORDER;
+use sh_scene::order::MOST_LAMPS;
 use sh_scene::{Blocker, Bounds, Forest, Light, Limits, Node, Receiver, Side, Sphere};
 use std::ops::Range;
 
@@ -80,7 +80,7 @@ impl Cuts {
 
     /// Finds the blockers of every cluster that has been measured; with a hierarchy those are left out that are
     /// [too small to matter](Forest::is_negligible). Of the light's lamps it finds out which may have blockers behind them,
-    /// that do not hide them then; those beyond the [32nd](sh_scene::order::LAMPS) are hidden by all. Clusters are spread
+    /// that do not hide them then; those beyond the [32nd](MOST_LAMPS) are hidden by all. Clusters are spread
     /// over the threads of the current rayon pool.
     ///
     /// # Panics
@@ -141,7 +141,7 @@ impl Cuts {
                 across: &cut.across,
             };
             let nodes = cut.nodes.each_ref().map(|nodes| &nodes[..]);
-            for (i, emitter) in light.emitters.iter().enumerate().take(LAMPS) {
+            for (i, emitter) in light.emitters.iter().enumerate().take(MOST_LAMPS) {
                 if cut.dark >> i & 1 == 0 {
                     cut.behind
                         .find((i, emitter), bounds, forest, blockers, nodes);

@@ -18,11 +18,9 @@
 
 use super::accumulate::{Point, dot, each};
 use super::light::reflected;
+use sh_core::constants::NEAREST;
 use sh_core::{Lane, ROOT_FOUR_PI, Routines};
 use sh_scene::Emitter;
-
-/// Below this distance a receiver is taken to be at a light's centre.
-const TINY: f64 = 1e-30;
 
 /// Which share a cap of an even sky's light is, weighted by the cosine with the normal, as far as it is above the horizon:
 /// sin² θ (N · s), or that of the cap in its place.
@@ -31,7 +29,7 @@ fn share<L: Lane>(sine: L, facing: L) -> L
 where
     [L; 4]: Routines<L>,
 {
-    let (zero, one, tiny) = (sine.lift(0.0), sine.lift(1.0), sine.lift(TINY));
+    let (zero, one, tiny) = (sine.lift(0.0), sine.lift(1.0), sine.lift(NEAREST));
     // A sphere of this sine at the distance 1, and the one that touches the horizon in its place.
     let counted = sine * <[L; 4]>::horizon_radius(facing / sine.max(tiny), sine * sine);
     let along = (-facing).mul_add(facing, one).max(zero);
@@ -68,7 +66,7 @@ where
         let local = zero.lift(f64::from(-emitter.local));
         let center = |k: usize| zero.lift(f64::from(emitter.center[k]));
         let towards = each(|k| local.mul_add(position[k], center(k)));
-        let inverse = one / dot(towards, towards).sqrt().max(zero.lift(TINY));
+        let inverse = one / dot(towards, towards).sqrt().max(zero.lift(NEAREST));
         let sine = (zero.lift(f64::from(emitter.radius)) * inverse).min(one);
         let cosine = (-sine).mul_add(sine, one).max(zero).sqrt();
         let direction = each(|k| towards[k] * inverse);

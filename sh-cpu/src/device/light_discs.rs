@@ -17,16 +17,12 @@ use super::accumulate::{Point, dot};
 use super::light_cut::{ALWAYS, LightCut, Met};
 use super::light_sent::At;
 use super::spherical_lights::SphericalLights;
+use sh_core::constants::{
+    ANGLE_CONSTANT, ANGLE_CUBIC, ANGLE_LINEAR, ANGLE_SQUARE, ANGLES_ERR, ROOM,
+};
 use sh_core::seen::Seen;
 use sh_core::{Lane, Routines};
 use std::f64::consts::PI;
-
-/// Spheres whose discs are kept. Of a cut with more of them, discs are computed anew for every pair, and what several
-/// leave of one is the product of what each leaves.
-pub(crate) const KEPT: usize = 128;
-
-/// More than three angles err by together, in radians: discs that are apart by so much cover nothing of each other.
-const ANGLES_ERR: f64 = 3e-4;
 
 /// A sphere as a receiver sees it.
 #[derive(Clone, Copy)]
@@ -46,14 +42,14 @@ pub(crate) fn discs<L: Lane, const C: usize>(
     point: &Point<L>,
     cut: &LightCut,
     lights: &SphericalLights,
-    kept: &mut [Disc<L>; KEPT],
+    kept: &mut [Disc<L>; ROOM],
 ) -> [L; 3]
 where
     [L; C]: Routines<L>,
     [L; 4]: Routines<L>,
 {
     let (zero, one) = (point.object.lift(0.0), point.object.lift(1.0));
-    let all_kept = cut.spheres.len() <= KEPT;
+    let all_kept = cut.spheres.len() <= ROOM;
     let mut at = At::new(point, lights);
     for (kept, met) in kept.iter_mut().zip(&cut.spheres) {
         *kept = disc(&at, met);
@@ -167,9 +163,9 @@ fn angle<L: Lane>(cosine: L) -> L {
     let one = cosine.lift(1.0);
     let x = cosine.abs().min(one);
     let p = x
-        .mul_add(x.lift(-0.018_729_3), x.lift(0.074_261_0))
-        .mul_add(x, x.lift(-0.212_114_4))
-        .mul_add(x, x.lift(1.570_728_8));
+        .mul_add(x.lift(ANGLE_CUBIC), x.lift(ANGLE_SQUARE))
+        .mul_add(x, x.lift(ANGLE_LINEAR))
+        .mul_add(x, x.lift(ANGLE_CONSTANT));
     let acute = (one - x).sqrt() * p;
     L::select(cosine.lt(zero), cosine.lift(PI) - acute, acute)
 }

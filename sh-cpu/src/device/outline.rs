@@ -10,12 +10,13 @@ use super::accumulate::{Blockers, Point, accumulated};
 use super::behind::{Change, parted};
 use super::emitters::emitted;
 use super::light_cut::LightCut;
-use super::light_discs::{Disc, KEPT, discs};
+use super::light_discs::{Disc, discs};
 use super::light_sums::sums;
 use super::logs::{Logs, ratio_logs};
 use super::spherical_lights::SphericalLights;
 use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
 use fearless_simd::Simd;
+use sh_core::constants::ROOM;
 use sh_core::{Lane, Routines};
 use sh_scene::Emitter;
 
@@ -62,7 +63,7 @@ where
         point: &Point<Self>,
         cut: &LightCut,
         lights: &SphericalLights,
-        kept: &mut [Disc<Self>; KEPT],
+        kept: &mut [Disc<Self>; ROOM],
     ) -> [Self; 3];
 
     /// The same with visibilities that are differences of exponentials.
@@ -146,7 +147,7 @@ macro_rules! routines {
             point: &Point<Self>,
             cut: &LightCut,
             lights: &SphericalLights,
-            kept: &mut [Disc<Self>; KEPT],
+            kept: &mut [Disc<Self>; ROOM],
         ) -> [Self; 3] {
             $enter(
                 point.object,

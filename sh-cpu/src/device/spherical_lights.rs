@@ -5,6 +5,7 @@ use super::light::reflected;
 use super::light_cut::LightCuts;
 use glam::Vec3;
 use sh_core::Routines;
+use sh_core::constants::NO_BODY;
 use sh_scene::{Forest, Receiver};
 use std::ops::Range;
 
@@ -18,7 +19,7 @@ pub struct SphericalLights {
     /// The brightest of each node's points.
     pub(crate) brightest: Vec<[f32; 3]>,
     pub(crate) most: [f32; 3],
-    /// The body of each node; `u32::MAX` where it stands for several.
+    /// The body of each node; [`NO_BODY`] where it stands for several.
     bodies: Vec<u32>,
     /// The node that stands for each body.
     roots: Vec<u32>,
@@ -114,7 +115,7 @@ impl SphericalLights {
 
     /// The one body that a node is part of.
     pub(crate) fn body(&self, node: u32) -> Option<u32> {
-        Some(self.bodies[node as usize]).filter(|&body| body != u32::MAX)
+        Some(self.bodies[node as usize]).filter(|&body| body != NO_BODY)
     }
 
     /// The node that stands for a body.
@@ -155,7 +156,7 @@ impl SphericalLights {
     pub(crate) fn own(&mut self, bodies: impl IntoIterator<Item = usize>, forest: &Forest) {
         let nodes = forest.nodes();
         self.bodies.clear();
-        self.bodies.resize(nodes.len(), u32::MAX);
+        self.bodies.resize(nodes.len(), NO_BODY);
         self.roots.clear();
         self.leaves.clear();
         self.leaves.resize(forest.spheres(), 0);
@@ -180,7 +181,7 @@ impl SphericalLights {
                     one &= self.bodies[child] == body;
                     child = nodes[child].skip as usize;
                 }
-                self.bodies[at] = if one { body } else { u32::MAX };
+                self.bodies[at] = if one { body } else { NO_BODY };
             }
             if let Some(root) = self.roots.get_mut(self.bodies[at] as usize) {
                 *root = at as u32;

@@ -18,12 +18,13 @@
 use crate::device::accumulate::Point;
 use crate::device::drive::{Kernel, Place, Work, drive};
 use crate::device::light_cut::LightCuts;
-use crate::device::light_discs::{Disc, KEPT};
+use crate::device::light_discs::Disc;
 use crate::device::outline::{Outline, OutlineAll};
 use crate::device::spherical_lights::SphericalLights;
 use crate::error::Error;
 use crate::lanes::group::Group;
 use crate::lanes::path::Path;
+use sh_core::constants::ROOM;
 use sh_core::{Lane, Routines};
 use sh_scene::{Blocking, Receiver};
 use std::ops::Range;
@@ -68,11 +69,11 @@ pub fn light_gather(
 }
 
 impl Kernel for LightGather<'_> {
-    type Room<L: Lane> = [Disc<L>; KEPT];
+    type Room<L: Lane> = [Disc<L>; ROOM];
 
     #[inline(always)]
-    fn room<L: Lane>(zero: L) -> [Disc<L>; KEPT] {
-        [Disc::nothing(zero); KEPT]
+    fn room<L: Lane>(zero: L) -> [Disc<L>; ROOM] {
+        [Disc::nothing(zero); ROOM]
     }
 
     #[inline(always)]
@@ -80,7 +81,7 @@ impl Kernel for LightGather<'_> {
         &self,
         place: &Place<L>,
         point: &Point<L>,
-        kept: &mut [Disc<L>; KEPT],
+        kept: &mut [Disc<L>; ROOM],
     ) -> [L; 3]
     where
         [L; C]: Routines<L>,

@@ -23,7 +23,7 @@
 
 use crate::device::accumulate::{Blockers, Point};
 use crate::device::behind::Behind;
-use crate::device::check::{MAX_ORDER, check_clusters, check_light};
+use crate::device::check::{check_clusters, check_light};
 use crate::device::cut::Cuts;
 use crate::device::drive::{Kernel, Place, Work, drive};
 use crate::device::lamps::with_emitters;
@@ -33,6 +33,7 @@ use crate::error::Error;
 use crate::lanes::group::Group;
 use crate::lanes::path::Path;
 use rayon::prelude::*;
+use sh_core::constants::MAX_ORDER;
 use sh_core::{Lane, Routines};
 use sh_scene::{Light, Receiver, Sphere};
 use std::ops::Range;

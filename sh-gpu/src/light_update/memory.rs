@@ -7,7 +7,7 @@ use crate::records::Sender;
 use crate::slot::Slot;
 use crate::{ClusterBinding, Error, LightGatherPass, ShadowPass};
 use sh_scene::Receiver;
-use sh_scene::surface::{COEFFICIENTS, DIRECTIONS, SurfacePoint, cell_sums};
+use sh_scene::surface::{DIRECTIONS, MOST_COEFFICIENTS, SurfacePoint, cell_sums};
 use wgpu::{BindGroup, Buffer, BufferUsages, Device, Queue};
 
 /// What a pass was made for.
@@ -68,7 +68,10 @@ impl Memory {
             points: of_points("gaunt surface points", size_of::<SurfacePoint>())?,
             receivers: of_points("gaunt surface receivers", size_of::<Receiver>())?,
             stands: by_sphere("gaunt standing points", DIRECTIONS)?,
-            exposed: by_sphere("gaunt exposed spheres", COEFFICIENTS * size_of::<f32>())?,
+            exposed: by_sphere(
+                "gaunt exposed spheres",
+                MOST_COEFFICIENTS * size_of::<f32>(),
+            )?,
             clusters: by_sphere("gaunt surface clusters", 8)?,
             direct: lights(device, "gaunt surface light", counts)?,
             cells: make(device, "gaunt cells", POINTS, cells, none)?,

@@ -1,5 +1,4 @@
-//! The records of the kernels and those of Rust have the same layout, as naga lays WGSL out. That constants are the same is
-//! `tests/tests/constants.rs`.
+//! The records of the kernels and those of Rust have the same layout, as naga lays WGSL out.
 
 use naga::proc::Layouter;
 use sh_gpu::records::{Band, Body, Lighting, ScreenSource, Sender, UpsampleRule, VertexSource};

@@ -5,6 +5,7 @@ use super::{Blocker, Limits};
 use crate::Sphere;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
+use sh_core::constants::NEGLIGIBLE;
 use std::ops::Range;
 
 /// A node of the tree: 48 bytes, as `struct Node { center: vec3f, radius: f32, area: f32, parent: u32, skip: u32,
@@ -38,10 +39,6 @@ impl Node {
         self.skip as usize == at + 1
     }
 }
-
-/// What the blockers that are left out of a cut because they are [too small](Forest::is_negligible) take together of the
-/// light of an even sky, at most: half a step of a picture of 8 bits.
-pub const NEGLIGIBLE: f32 = 1.0 / 512.0;
 
 /// All blocker spheres of a scene in one tree, average branching 4: a tree for each object, and above them a tree of
 /// objects.

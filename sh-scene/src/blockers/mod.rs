@@ -11,9 +11,12 @@ mod build;
 mod forest;
 
 pub use bounds::{Bounds, Side};
-pub use forest::{Forest, NEGLIGIBLE, Node};
+pub use forest::{Forest, Node};
+#[doc(inline)]
+pub use sh_core::constants::NEGLIGIBLE;
 
 use crate::Sphere;
+use sh_core::constants::MAX_ORDER;
 
 /// A blocker of a cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,7 +27,7 @@ pub struct Blocker {
     pub radius: f32,
     /// What band l of the sphere's log visibility is multiplied with: its weight, or the ratio vector w of Ren et al. 2006,
     /// equation 37.
-    pub weights: [f32; 6],
+    pub weights: [f32; MAX_ORDER],
     /// The body that it is of, as [`crate::Receiver::object`] has it; 0 where it is of none or of several.
     pub object: u32,
 }
@@ -34,7 +37,7 @@ impl Blocker {
     pub const NONE: Self = Self {
         center: [0.0; 3],
         radius: 0.0,
-        weights: [0.0; 6],
+        weights: [0.0; MAX_ORDER],
         object: 0,
     };
 
@@ -43,7 +46,7 @@ impl Blocker {
         Self {
             center: sphere.center,
             radius: sphere.radius,
-            weights: [1.0; 6],
+            weights: [1.0; MAX_ORDER],
             object: 0,
         }
     }
@@ -53,7 +56,7 @@ impl Blocker {
         Self {
             center: node.center,
             radius: node.radius,
-            weights: [node.weight; 6],
+            weights: [node.weight; MAX_ORDER],
             object: node.object,
         }
     }

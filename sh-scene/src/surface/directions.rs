@@ -1,6 +1,6 @@
 //! The directions in which spheres are seen, and the cells around them.
 
-use super::{COEFFICIENTS, DIRECTIONS};
+use super::{DIRECTIONS, MOST_COEFFICIENTS};
 use glam::{DVec3, Vec3};
 use sh_core::Sh6d;
 use std::sync::LazyLock;
@@ -92,8 +92,8 @@ pub fn stratified(bands: usize, columns: usize) -> impl Iterator<Item = Vec3> {
 /// let constant: f32 = cell_sums().iter().map(|cell| cell[0]).sum();
 /// assert!((constant - (4.0 * std::f32::consts::PI).sqrt()).abs() < 1e-5);
 /// ```
-pub fn cell_sums() -> &'static [[f32; COEFFICIENTS]; DIRECTIONS] {
-    static ALL: LazyLock<[[f32; COEFFICIENTS]; DIRECTIONS]> = LazyLock::new(|| {
+pub fn cell_sums() -> &'static [[f32; MOST_COEFFICIENTS]; DIRECTIONS] {
+    static ALL: LazyLock<[[f32; MOST_COEFFICIENTS]; DIRECTIONS]> = LazyLock::new(|| {
         let all = geodesic();
         std::array::from_fn(|j| {
             let corners = corners(&all, j);
@@ -215,7 +215,7 @@ mod tests {
 
     #[test]
     fn all_cells_together_are_the_sphere() {
-        for i in 0..COEFFICIENTS {
+        for i in 0..MOST_COEFFICIENTS {
             let sum: f64 = cell_sums().iter().map(|cell| f64::from(cell[i])).sum();
             let expected = if i == 0 { (4.0 * PI).sqrt() } else { 0.0 };
             assert!((sum - expected).abs() < 2e-6, "coefficient {i}: {sum}");
@@ -224,7 +224,7 @@ mod tests {
 
     #[test]
     fn cells_are_as_even_as_the_geodesic_sphere_makes_them() {
-        let area = |cell: &[f32; COEFFICIENTS]| f64::from(cell[0]) * (4.0 * PI).sqrt();
+        let area = |cell: &[f32; MOST_COEFFICIENTS]| f64::from(cell[0]) * (4.0 * PI).sqrt();
         let mean = 4.0 * PI / DIRECTIONS as f64;
         let kinds = [(0..12, "corners"), (12..72, "edges"), (72..92, "faces")];
         for (range, kind) in kinds {
@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn cells_hold_what_is_nearest_to_their_directions() {
-        let mut counts = [[0.0; COEFFICIENTS]; DIRECTIONS];
+        let mut counts = [[0.0; MOST_COEFFICIENTS]; DIRECTIONS];
         let all = 2 * 200 * 800;
         for d in stratified(200, 800) {
             let y = Sh6d::basis(d.as_dvec3());

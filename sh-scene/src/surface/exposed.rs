@@ -1,6 +1,6 @@
 //! How much of a sphere the other spheres of its body leave to be seen.
 
-use super::{COEFFICIENTS, SurfaceSamples, cell_sums, directions};
+use super::{MOST_COEFFICIENTS, SurfaceSamples, cell_sums, directions};
 use crate::Sphere;
 use crate::order::share_of;
 use glam::Vec3;
@@ -25,7 +25,8 @@ impl SurfaceSamples {
             |radius: f32, s: &Sphere| radius.max(middle.distance(s.center.into()) + s.radius);
         let radius = spheres.iter().fold(0.0, reach);
         self.exposed.clear();
-        self.exposed.resize(self.spheres(), [0.0; COEFFICIENTS]);
+        self.exposed
+            .resize(self.spheres(), [0.0; MOST_COEFFICIENTS]);
         for (direction, cell) in directions().iter().zip(cell_sums()) {
             let from = middle + AWAY * radius * Vec3::from(*direction);
             let mut seen: Vec<(usize, Disc)> = (spheres.iter())
@@ -82,8 +83,8 @@ impl SurfaceSamples {
     /// assert!((mean(&samples) - 0.5).abs() < 1e-3);
     /// assert_eq!(samples.exposed(0, false)[0], sh_core::ROOT_FOUR_PI as f32);
     /// ```
-    pub fn exposed(&self, sphere: usize, within_bodies: bool) -> [f32; COEFFICIENTS] {
-        let mut all = [0.0; COEFFICIENTS];
+    pub fn exposed(&self, sphere: usize, within_bodies: bool) -> [f32; MOST_COEFFICIENTS] {
+        let mut all = [0.0; MOST_COEFFICIENTS];
         all[0] = ROOT_FOUR_PI as f32;
         let found = self.exposed.get(sphere).filter(|_| within_bodies);
         found.copied().unwrap_or(all)

@@ -23,16 +23,12 @@ mod directions;
 mod exposed;
 
 pub use directions::{cell_of, cell_sums, directions, stratified};
+#[doc(inline)]
+pub use sh_core::constants::{DIRECTIONS, MOST_COEFFICIENTS, NO_POINT};
 
 use directions::neighbors;
 
 use bytemuck::{Pod, Zeroable};
-
-/// How many directions a sphere is seen in.
-pub const DIRECTIONS: usize = 92;
-
-/// Coefficients of [`cell_sums`]: those of order 6. A lower order's come first.
-pub const COEFFICIENTS: usize = 36;
 
 /// A point of a body's surface: 48 bytes, as `struct SurfacePoint { position: vec3f, direction: u32, normal: vec3f,
 /// share: f32, albedo: vec3f }` in WGSL.
@@ -63,9 +59,6 @@ impl Default for SurfacePoint {
     }
 }
 
-/// No point of a sphere: see [`SurfaceSamples::stands`].
-pub const NONE: u8 = u8::MAX;
-
 /// The points of one object's spheres; empty where nothing was sampled.
 ///
 /// ```
@@ -90,7 +83,7 @@ pub struct SurfaceSamples {
     /// A sphere's point nearest to each direction.
     nearest: Vec<[u8; DIRECTIONS]>,
     /// Of each sphere, where it has been found.
-    exposed: Vec<[f32; COEFFICIENTS]>,
+    exposed: Vec<[f32; MOST_COEFFICIENTS]>,
 }
 
 impl SurfaceSamples {
@@ -124,27 +117,27 @@ impl SurfaceSamples {
         }
     }
 
-    /// Which of a sphere's points, an index into [`of`](Self::of), stands for each of the directions, or [`NONE`]: that of
+    /// Which of a sphere's points, an index into [`of`](Self::of), stands for each of the directions, or [`NO_POINT`]: that of
     /// the direction itself, and, where `within_bodies` ([`Blocking::within_bodies`](crate::Blocking::within_bodies)),
     /// for a direction that has none the one that is nearest.
     ///
     /// ```
-    /// use sh_scene::surface::{NONE, SurfacePoint, SurfaceSamples};
+    /// use sh_scene::surface::{NO_POINT, SurfacePoint, SurfaceSamples};
     /// let mut samples = SurfaceSamples::default();
     /// samples.push([SurfacePoint { direction: 3, ..Default::default() }]);
     /// assert_eq!(samples.stands(0, true), [0; 92]);
     /// let alone = samples.stands(0, false);
-    /// assert_eq!((alone[2], alone[3]), (NONE, 0));
+    /// assert_eq!((alone[2], alone[3]), (NO_POINT, 0));
     /// ```
     pub fn stands(&self, sphere: usize, within_bodies: bool) -> [u8; DIRECTIONS] {
         let points = self.of(sphere);
         let nearest = self.nearest.get(sphere).copied();
-        let mut stands = nearest.unwrap_or([NONE; DIRECTIONS]);
+        let mut stands = nearest.unwrap_or([NO_POINT; DIRECTIONS]);
         if !within_bodies {
             for (j, stands) in stands.iter_mut().enumerate() {
                 let point = points.get(usize::from(*stands));
                 if point.is_some_and(|point| point.direction as usize != j) {
-                    *stands = NONE;
+                    *stands = NO_POINT;
                 }
             }
         }
@@ -188,16 +181,19 @@ impl SurfacePoint {
 
 /// For each direction which of a sphere's points is nearest to it.
 fn nearest(points: &[SurfacePoint]) -> [u8; DIRECTIONS] {
-    let mut own = [NONE; DIRECTIONS];
-    for (i, point) in (0..NONE).zip(points) {
+    let mut own = [NO_POINT; DIRECTIONS];
+    for (i, point) in (0..NO_POINT).zip(points) {
         if let Some(own) = own.get_mut(point.direction as usize)
-            && *own == NONE
+            && *own == NO_POINT
         {
             *own = i;
         }
     }
     std::array::from_fn(|j| {
         let around = neighbors()[j].iter().map(|&k| own[usize::from(k)]);
-        around.into_iter().find(|&i| i != NONE).unwrap_or(NONE)
+        around
+            .into_iter()
+            .find(|&i| i != NO_POINT)
+            .unwrap_or(NO_POINT)
     })
 }

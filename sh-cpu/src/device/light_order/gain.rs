@@ -2,10 +2,8 @@
 
 use crate::device::spherical_lights::SphericalLights;
 use glam::Vec3;
+use sh_core::constants::MOST_GAIN;
 use sh_scene::Forest;
-
-/// No node gives so many times what its mean radiance says.
-const MOST_GAIN: f32 = 4.0;
 
 /// The reflection ratio of a node whose disc has this radius: what the spheres below it give to `from`, each by the square
 /// of its disc's sine and as much of it as its body leaves to be seen from there, over what the node gives in their place. 1 for
