@@ -14,9 +14,9 @@
 //! Only spheres whose discs may meet somewhere in the cluster are looked at, of which there are few.
 
 use super::accumulate::{Point, dot};
+use super::emission::Emission;
 use super::light_cut::{ALWAYS, LightCut, Met};
 use super::light_sent::At;
-use super::spherical_lights::SphericalLights;
 use sh_core::seen::Seen;
 use sh_core::{Lane, Routines};
 use std::f64::consts::PI;
@@ -45,7 +45,7 @@ pub struct Disc<L> {
 pub(crate) fn discs<L: Lane, const C: usize>(
     point: &Point<L>,
     cut: &LightCut,
-    lights: &SphericalLights,
+    lights: &Emission,
     kept: &mut [Disc<L>; KEPT],
 ) -> [L; 3]
 where
