@@ -1,8 +1,11 @@
 //! The scene that needs no file.
 
-use crate::load::{FitReport, Progress, Report, fit_all};
+use crate::bodies;
+use crate::cache::Cache;
+use crate::choices::Choices;
+use crate::load::{FitReport, Report, fit_all};
+use crate::progress::Progress;
 use crate::shapes;
-use crate::{Cache, Choices, surface, weights};
 use glam::{Affine3A, Quat, Vec3};
 use sh_scene::motion::Motion;
 use sh_scene::{Camera, Ground, Material, Mesh, Object, Scene, Settings, Sky, SurfaceSamples};
@@ -75,8 +78,8 @@ pub fn default_scene_with(
     }
     if choices.surfaces {
         let start = Instant::now();
-        let bodies: Vec<_> = (0..objects.len()).map(|i| i..i + 1).collect();
-        report.surfaces = surface::sample(&mut objects, &bodies, cache, progress);
+        let each: Vec<_> = (0..objects.len()).map(|i| i..i + 1).collect();
+        report.surfaces = bodies::sample(&mut objects, &each, cache, progress);
         report.surface_time = start.elapsed();
     }
     let whole: Vec<_> = (0..objects.len()).map(|i| i..i + 1).collect();
@@ -97,7 +100,7 @@ pub fn default_scene_with(
     };
     let start = Instant::now();
     let mut still = Motion::default();
-    report.weights = weights::weigh(&mut scene, &mut still, &whole, cache, progress);
+    report.weights = bodies::weigh(&mut scene, &mut still, &whole, cache, progress);
     report.weight_time = start.elapsed();
     (scene, report)
 }

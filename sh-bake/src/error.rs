@@ -77,3 +77,11 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Error> {
         source,
     })
 }
+
+/// The name of a file, as a person knows it.
+pub(crate) fn file_name(path: &Path) -> String {
+    path.file_name().map_or_else(
+        || PathBuf::from(path).display().to_string(),
+        |n| n.to_string_lossy().into(),
+    )
+}

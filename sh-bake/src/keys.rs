@@ -3,8 +3,11 @@
 use crate::error::{Error, one_line};
 use std::fmt::Display;
 use std::ops::{Range, RangeInclusive};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use toml::de::{DeTable, DeValue};
+
+/// Coordinates and factors beyond this leave what `f32` can square.
+pub(crate) const FAR: f32 = 1e9;
 
 /// The file that tables are from.
 #[derive(Clone, Copy)]
@@ -272,6 +275,16 @@ impl<'a> Section<'a> {
 }
 
 /// What a value is, for a person.
+/// Reflectances.
+pub(crate) fn albedo(section: &Section) -> Result<Option<[f32; 3]>, Error> {
+    section.triple("albedo", "from 0 to 1", true, |n| (0.0..=1.0).contains(&n))
+}
+
+/// A path as the scene file means it.
+pub(crate) fn beside(scene: &Path, path: &str) -> PathBuf {
+    scene.parent().unwrap_or(Path::new("")).join(path)
+}
+
 fn kind(value: &DeValue) -> &'static str {
     match value {
         DeValue::String(_) => "a string",

@@ -87,6 +87,7 @@
 //! blocker_angle = 25           # degrees: groups of spheres below this angular radius count as one; 0 to 30, 0 for none
 //! ```
 
+mod bodies;
 mod cache;
 mod choices;
 mod default_scene;
@@ -98,27 +99,30 @@ mod keys;
 mod lights;
 mod load;
 mod mesh;
+mod model;
 mod motion;
 mod normals;
 mod obj;
 mod objects;
+mod progress;
+mod raw;
 mod scene_file;
 pub mod shapes;
 mod spheres;
 mod surface;
 mod weights;
 
+pub use bodies::{SurfaceReport, WeightReport};
 pub use cache::Cache;
 pub use choices::Choices;
 pub use default_scene::{default_scene, default_scene_with};
 pub use environment::load_environment;
 pub use error::Error;
-pub use load::{FitReport, Loaded, Progress, Report, load_scene, load_scene_with};
-pub use mesh::{Figure, Model, Part, load_mesh};
+pub use load::{FitReport, Loaded, Report, load_scene, load_scene_with};
+pub use mesh::load_mesh;
+pub use model::{Figure, Model, Part};
 pub use motion::{ClipChoice, bind_spheres, grow_spheres};
+pub use progress::Progress;
 pub use spheres::{SphereSet, is_closed};
-pub use surface::{SurfaceReport, bake_surface};
-pub use weights::{WeightReport, weights, weights_by};
-
-/// The albedo of a mesh that has none: a light grey.
-const WHITE: [f32; 3] = [0.8; 3];
+pub use surface::bake_surface;
+pub use weights::{weights, weights_by};

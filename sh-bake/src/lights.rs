@@ -1,11 +1,10 @@
 //! The `[[lights]]` of a scene file.
 
-use crate::error::Error;
-use crate::keys::Section;
-use crate::load::file_name;
+use crate::error::{Error, file_name};
+use crate::keys::{FAR, Section, beside};
 use crate::load_environment;
 use crate::objects::ObjectEntry;
-use crate::scene_file::{FAR, beside};
+
 use glam::Vec3;
 use sh_scene::{AreaLight, AreaShape, Distribution};
 use std::ops::Range;

@@ -1,20 +1,23 @@
 //! From a scene file to a scene.
 
-use crate::error::Error;
-use crate::mesh::{Model, load_mesh};
+use crate::bodies::{self, SurfaceReport, WeightReport};
+use crate::cache::Cache;
+use crate::choices::Choices;
+use crate::environment::load_environment;
+use crate::error::{Error, file_name};
+use crate::mesh::load_mesh;
+use crate::model::{Model, Part};
 use crate::motion::{self, ClipChoice, Rigs};
 use crate::objects::ObjectEntry;
+use crate::progress::Progress;
 use crate::scene_file::SceneFile;
-use crate::{
-    Cache, Choices, SphereSet, SurfaceReport, WeightReport, is_closed, load_environment, surface,
-    weights,
-};
+use crate::spheres::{SphereSet, is_closed};
 use glam::Vec3;
 use rayon::prelude::*;
 use sh_scene::motion::Motion;
 use sh_scene::{AreaLight, Camera, Ground, Mesh, Object, Scene, Sky, SurfaceSamples};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
@@ -69,17 +72,6 @@ pub struct FitReport {
     pub time: Duration,
     /// Whether the set comes from the cache.
     pub cached: bool,
-}
-
-/// How far loading has come.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Progress<'a> {
-    /// What is being done.
-    pub stage: &'a str,
-    /// Steps done.
-    pub done: usize,
-    /// Steps in all.
-    pub total: usize,
 }
 
 /// Loads a scene: a TOML file as the README describes, or a mesh file, which then is the scene's only
@@ -204,7 +196,7 @@ pub fn load_scene_with<'a>(
             motion.add_rig(first, Arc::clone(&moving.rig));
             set = &moving.set;
         }
-        objects.extend(bodies(entry, model, set, first));
+        objects.extend(of_entry(entry, model, set, first));
         whole.push(first..objects.len());
         if let Some(keys) = &entry.keys {
             let (name, seconds) = (file_name(mesh), keys.duration());
@@ -217,7 +209,7 @@ pub fn load_scene_with<'a>(
     report.fit_time = start.elapsed();
     if file.settings.indirect.is_some() || choices.surfaces {
         let start = Instant::now();
-        report.surfaces = surface::sample(&mut objects, &whole, cache, progress);
+        report.surfaces = bodies::sample(&mut objects, &whole, cache, progress);
         motion.add_surfaces(&objects);
         report.surface_time = start.elapsed();
     }
@@ -242,7 +234,7 @@ pub fn load_scene_with<'a>(
         report,
     } = &mut loaded;
     let start = Instant::now();
-    report.weights = weights::weigh(scene, motion, &whole, cache, progress);
+    report.weights = bodies::weigh(scene, motion, &whole, cache, progress);
     report.weight_time = start.elapsed();
     Ok(loaded)
 }
@@ -321,19 +313,12 @@ impl FitReport {
     }
 }
 
-pub(crate) fn file_name(path: &Path) -> String {
-    path.file_name().map_or_else(
-        || PathBuf::from(path).display().to_string(),
-        |n| n.to_string_lossy().into(),
-    )
-}
-
 /// One object of the file as bodies: one for each of its parts. The `first`, as the scene counts them, carries the spheres
 /// of all.
-fn bodies(entry: &ObjectEntry, model: &Model, set: &SphereSet, first: usize) -> Vec<Object> {
+fn of_entry(entry: &ObjectEntry, model: &Model, set: &SphereSet, first: usize) -> Vec<Object> {
     let transform = entry.place.into();
     let file = file_name(&entry.mesh);
-    let body = |(i, part): (usize, &crate::Part)| {
+    let body = |(i, part): (usize, &Part)| {
         let name = if part.name.is_empty() {
             file.clone()
         } else {

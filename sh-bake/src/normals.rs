@@ -84,7 +84,7 @@ mod tests {
     fn a_box_keeps_its_edges() {
         let size = Vec3::new(1.0, 2.0, 3.0);
         let mesh = shapes::rounded_box(size, 0.0);
-        let triangles: Vec<[u32; 3]> = crate::mesh::with_area(&mesh.positions, &mesh.triangles);
+        let triangles: Vec<[u32; 3]> = crate::raw::with_area(&mesh.positions, &mesh.triangles);
         let smoothed = smooth(&mesh.positions, &triangles);
         for normal in &smoothed.normals {
             let longest = normal.iter().fold(0.0_f32, |a, c| a.max(c.abs()));

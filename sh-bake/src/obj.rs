@@ -4,7 +4,7 @@
 //! in the file are looked through first, line by line.
 
 use crate::error::Error;
-use crate::mesh::RawPart;
+use crate::raw::{RawPart, WHITE};
 use sh_scene::Material;
 use std::path::Path;
 
@@ -36,7 +36,7 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<RawPart, Error> {
         colors: Vec::new(),
         triangles: Vec::new(),
         material: Material {
-            albedo: crate::WHITE,
+            albedo: WHITE,
             texture: None,
         },
         bind: None,

@@ -1,8 +1,8 @@
 //! What a scene file says of an object.
 
 use crate::error::Error;
-use crate::keys::{Section, Source};
-use crate::scene_file::{FAR, albedo, beside};
+use crate::keys::{FAR, Section, Source, albedo, beside};
+
 use glam::{EulerRot, Quat, Vec3};
 use sh_scene::motion::{Keys, Place};
 use std::ops::Range;

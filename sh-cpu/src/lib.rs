@@ -39,7 +39,7 @@ mod store;
 pub use device::accumulate::{Blockers, Point};
 pub use device::cut::{CutOptions, Cuts};
 pub use device::geometry::{Geometry, Hit};
-pub use device::light_cut::LightCuts;
+pub use device::light_cuts::LightCuts;
 pub use device::light_order::LightCutOptions;
 pub use device::outline::{Outline, OutlineAll};
 pub use device::spherical_lights::SphericalLights;

@@ -2,7 +2,7 @@
 
 use crate::device::cut::Cuts;
 use crate::device::geometry::Geometry;
-use crate::device::light_cut::LightCuts;
+use crate::device::light_cuts::LightCuts;
 use crate::device::spherical_lights::SphericalLights;
 use crate::passes::gbuffer::Gbuffer;
 use crate::passes::upsample::{Failed, Halves};

@@ -1,6 +1,7 @@
 //! A comparison in words.
 
-use super::{Comparison, Figures};
+use super::comparison::Comparison;
+use super::measure::Figures;
 use std::fmt::Write;
 
 fn bounces(count: u32) -> String {

@@ -1,6 +1,6 @@
 //! The device's own clock.
 
-use super::Gpu;
+use super::device::Gpu;
 use crate::Error;
 use wgpu::{BufferUsages, QuerySet};
 

@@ -1,6 +1,6 @@
 //! A plan on the CPU.
 
-use super::{FRAMES, Idle, Measured, idle, median, middle_and_spread, pose};
+use super::measured::{FRAMES, Idle, Measured, idle, median, middle_and_spread, pose};
 use crate::Error;
 use sh_bake::Loaded;
 use sh_cpu::Frames;

@@ -1,8 +1,9 @@
 //! The cost of a scene as its effects are switched on one by one, while it moves: at rest a frame does again only what a
 //! picture needs, and what bodies send on, in any number of bounces, is found once.
 
-use super::report::megabytes;
-use super::{Options, Report, measure, view};
+use super::backend::{measure, view};
+use super::options::Options;
+use super::report::{Report, megabytes};
 use crate::Error;
 use crate::render::Choice;
 use glam::Vec3;

@@ -1,6 +1,6 @@
 //! A plan on the GPU.
 
-use super::{FRAMES, Idle, Measured, idle, median, middle_and_spread, pose};
+use super::measured::{FRAMES, Idle, Measured, idle, median, middle_and_spread, pose};
 use crate::Error;
 use crate::gpu::{Gpu, Stamps};
 use sh_bake::Loaded;

@@ -1,6 +1,6 @@
 //! What `gaunt plan` tells: for a person and as JSON.
 
-use super::Measured;
+use super::measured::{Idle, Measured};
 use crate::render::Choice;
 use serde::Serialize;
 use sh_scene::{Plan, View};
@@ -24,15 +24,6 @@ pub struct Planned {
     pub ms: f64,
     /// Milliseconds a frame that the number of operations lets expect on the CPU; none on a GPU.
     pub estimated_ms: Option<f64>,
-}
-
-/// Something that there is no work for, and why.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Idle {
-    /// What.
-    pub name: &'static str,
-    /// A sentence.
-    pub reason: String,
 }
 
 /// A buffer or texture, or several.

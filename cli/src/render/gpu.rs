@@ -1,6 +1,6 @@
 //! A picture on the GPU: the passes record, this submits and reads back.
 
-use super::Shot;
+use super::shot::Shot;
 use crate::Error;
 use crate::gpu::{Gpu, Stamps};
 use crate::report::Times;

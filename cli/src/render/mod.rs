@@ -4,10 +4,12 @@ mod frames;
 pub(crate) mod gpu;
 mod reference;
 mod settings;
+mod shot;
 
 pub use frames::{Frames, Pattern, frame_numbers, frame_rate};
 pub use reference::Reference;
 pub use settings::Overrides;
+pub(crate) use shot::{Changes, Shot};
 
 use crate::Error;
 use crate::gpu::Gpu;
@@ -81,21 +83,6 @@ impl Default for Options {
             cache: None,
         }
     }
-}
-
-/// Everything that is the same for all frames but the scene's state.
-pub(crate) struct Shot<'a> {
-    pub(crate) plan: &'a Plan,
-    pub(crate) view: &'a View,
-    /// What of the scene changes from frame to frame.
-    pub(crate) changes: Changes,
-}
-
-/// What has to be uploaded anew for a frame, besides what always is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Changes {
-    pub(crate) meshes: bool,
-    pub(crate) environment: bool,
 }
 
 /// A backend that was chosen: what it is and why.

@@ -1,18 +1,20 @@
 //! The window's contents, whoever draws them: eframe in a window, or `headless` in memory.
 
-use super::layer::Layer;
 use super::look::{BACK, PANEL, WIDTH};
 use super::pace::{Pace, even};
 use super::panel::{Told, panel};
 use super::stage;
 use super::state::{Facts, State};
-use super::wish::{Overlay, Shown, Wish};
+use super::wish::{Layer, Overlay, Shown, Wish};
 use super::worker::Worker;
-use super::{FRAME, Hints, look};
+use super::{Hints, look};
 use egui::{CentralPanel, Color32, Context, Frame, Margin, Panel, Rect, ScrollArea, Sense};
 use egui::{TextureHandle, TextureOptions, Ui, pos2, vec2};
 use std::collections::VecDeque;
 use std::time::Duration;
+
+/// Seconds of motion between two frames of a script.
+pub(super) const FRAME: f64 = 1.0 / 30.0;
 
 /// Seconds without a change after which nothing moves.
 const REST: f64 = 0.2;

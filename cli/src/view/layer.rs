@@ -1,6 +1,6 @@
 //! Pictures that are laid over the picture: clusters in colours, heat maps with a legend.
 
-use super::wish::{Overlay, Wish};
+use super::wish::{Layer, Legend, Overlay, Wish};
 use crate::Error;
 use crate::compare::Seen;
 use egui::{Color32, ColorImage};
@@ -9,24 +9,6 @@ use sh_scene::passes::{self, INVALID_SAMPLES, InvalidSamples};
 use sh_scene::resource::Given;
 use sh_scene::{Domain, Light, Plan, Scene, Tiles};
 use std::sync::Arc;
-
-/// A picture to lay over another, and what it means.
-#[derive(Clone, Debug)]
-pub(super) struct Layer {
-    /// Of any size; it is stretched over the picture.
-    pub image: Arc<ColorImage>,
-    pub legend: Legend,
-}
-
-/// What the colours of a layer mean.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Legend {
-    pub title: String,
-    /// The values of the darkest and the brightest colour of the heat map, as text; none where colours have no order.
-    pub ends: Option<[String; 2]>,
-    /// Sentences and figures below.
-    pub notes: Vec<String>,
-}
 
 /// How much of the picture is left to be seen through a layer of colours.
 const VEIL: f32 = 0.45;

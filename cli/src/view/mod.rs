@@ -12,6 +12,7 @@ mod headless;
 mod hints;
 mod layer;
 mod look;
+mod options;
 mod orbit;
 mod pace;
 mod panel;
@@ -26,48 +27,19 @@ mod wish;
 mod worker;
 
 pub use hints::Hints;
+pub use options::Options;
 pub use wish::Overlay;
 
 use crate::Error;
 use crate::gpu::Gpu;
 use crate::progress::Progress;
-use crate::render::{self, Backend, Choice, Frames, Overrides};
-use app::{App, Script};
+use crate::render::{self, Backend, Choice, Frames};
+use app::{App, FRAME, Script};
 use headless::Bell;
-use sh_bake::Cache;
 use state::{Facts, State};
-use std::path::PathBuf;
 use std::sync::Arc;
 use studio::Studio;
 use worker::Worker;
-
-/// Seconds of motion between two frames of a script.
-const FRAME: f64 = 1.0 / 30.0;
-
-/// What is shown and how.
-#[derive(Clone, Debug)]
-pub struct Options {
-    /// A scene file; none for the built-in scene.
-    pub scene: Option<PathBuf>,
-    /// The clip that a mesh file plays; none for its first.
-    pub clip: Option<String>,
-    /// What renders.
-    pub backend: Backend,
-    /// Width and height of the window, in points.
-    pub size: [u32; 2],
-    /// Settings instead of the scene's, at first.
-    pub settings: Overrides,
-    /// What is laid over the picture, at first.
-    pub overlay: Overlay,
-    /// A picture of the window, PNG, in place of a person before it.
-    pub screenshot: Option<PathBuf>,
-    /// How many frames of motion that shows, the last of them in the picture, 30 a second; from 1 on.
-    pub frames: u32,
-    /// Where sphere sets are kept.
-    pub cache: Option<Cache>,
-    /// What options mean.
-    pub hints: Hints,
-}
 
 /// Opens the window and returns when it is closed, or writes a picture of it. The text to print tells where the picture
 /// is; it is empty where none was asked for.

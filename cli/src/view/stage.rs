@@ -1,10 +1,10 @@
 //! The picture: input to the camera, overlays, legend, and the bar with the time.
 
-use super::layer::{Layer, distinct, heat};
+use super::layer::{distinct, heat};
 use super::look::{ACCENT, FAINT, PANEL, bold};
 use super::orbit::Orbit;
 use super::state::{Facts, State};
-use super::wish::{Ball, Shown};
+use super::wish::{Ball, Layer, Shown};
 use egui::{Align2, Color32, FontId, Key, Painter, PointerButton, Pos2, Rect, Response, Sense};
 use egui::{Shape, Slider, Stroke, Ui, pos2, vec2};
 use glam::Vec3;

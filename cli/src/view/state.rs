@@ -1,6 +1,6 @@
 //! What the person has chosen.
 
-use super::Options;
+use super::options::Options;
 use super::orbit::Orbit;
 use super::wish::{Overlay, Wish};
 use crate::render::Backend;

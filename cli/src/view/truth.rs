@@ -1,7 +1,7 @@
 //! How far the picture is from the truth: paths are traced, round after round, while nothing moves.
 
-use super::layer::{Layer, Legend, heat, veil};
-use super::wish::Wish;
+use super::layer::{heat, veil};
+use super::wish::{Layer, Legend, Wish};
 use crate::Error;
 use crate::compare::{Figures, Seen, ours::ours, scale};
 use crate::truth::{self, Source};

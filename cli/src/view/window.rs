@@ -1,7 +1,7 @@
 //! The window on a display, by eframe; the GPU that draws it renders the scene as well, if it is one.
 
-use super::Options;
 use super::app::App;
+use super::options::Options;
 use crate::Error;
 use crate::gpu::Gpu;
 use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};

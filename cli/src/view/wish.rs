@@ -1,6 +1,5 @@
 //! What is asked of the worker, and what comes back.
 
-use super::layer::Layer;
 use crate::render::Backend;
 use crate::report::{Planned, Stage};
 use egui::ColorImage;
@@ -75,6 +74,24 @@ pub(super) struct Wish {
     pub overlay: Overlay,
     /// Whether nothing moves, so that the truth may be traced.
     pub rests: bool,
+}
+
+/// A picture to lay over another, and what it means.
+#[derive(Clone, Debug)]
+pub(super) struct Layer {
+    /// Of any size; it is stretched over the picture.
+    pub image: Arc<ColorImage>,
+    pub legend: Legend,
+}
+
+/// What the colours of a layer mean.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Legend {
+    pub title: String,
+    /// The values of the darkest and the brightest colour of the heat map, as text; none where colours have no order.
+    pub ends: Option<[String; 2]>,
+    /// Sentences and figures below.
+    pub notes: Vec<String>,
 }
 
 /// A sphere and the number of its object.

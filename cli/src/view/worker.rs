@@ -1,9 +1,8 @@
 //! The thread that renders, so that the window never waits: it takes the latest wish and forgets older ones.
 
-use super::layer::Layer;
 use super::studio::Studio;
 use super::truth;
-use super::wish::{Overlay, Shown, Wish};
+use super::wish::{Layer, Overlay, Shown, Wish};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 

@@ -1,8 +1,7 @@
 //! Sphere sets on disk, so that a mesh is fitted once: found by its positions, its triangles and the count.
 
-use super::{Cache, Magic, fours, named};
-use crate::SphereSet;
-use crate::spheres::FIT_VERSION;
+use super::folder::{Cache, Magic, fours, named};
+use crate::spheres::{FIT_VERSION, SphereSet};
 use sh_scene::{Mesh, Sphere};
 use sha2::{Digest, Sha256};
 

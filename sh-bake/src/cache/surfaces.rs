@@ -1,6 +1,6 @@
 //! Surface samples on disk, so that a body is sampled once: found by all that its rays may meet.
 
-use super::{Cache, Magic, fours, named};
+use super::folder::{Cache, Magic, fours, named};
 use crate::surface::{Part, SURFACE_VERSION};
 use sh_scene::surface::DIRECTIONS;
 use sh_scene::{Sphere, SurfacePoint, SurfaceSamples};

@@ -1,7 +1,7 @@
 //! Weights of spheres on disk, so that a body is weighed once: found by its shape in all poses that were looked at, its
 //! spheres, where up is, and what the shadow pass makes of blockers.
 
-use super::{Cache, Magic, fours, named};
+use super::folder::{Cache, Magic, fours, named};
 use crate::weights::{Pose, WEIGHTS_VERSION, log, transfer};
 use glam::DVec3;
 use sh_core::seen::Seen;

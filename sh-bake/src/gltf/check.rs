@@ -160,3 +160,31 @@ pub(crate) fn view(view: &View, buffers: &[Data]) -> Result<(), String> {
         )),
     }
 }
+
+/// Checks that a URI's percent signs make text: the crate takes that for granted.
+pub(super) fn decodable(uri: &str) -> Result<(), String> {
+    if uri.starts_with("data:") || !uri.contains('%') {
+        return Ok(());
+    }
+    let mut bytes = Vec::new();
+    let mut rest = uri.as_bytes();
+    while let Some((&first, others)) = rest.split_first() {
+        let digits = others.get(..2).and_then(|d| std::str::from_utf8(d).ok());
+        match digits.and_then(|d| u8::from_str_radix(d, 16).ok()) {
+            Some(byte) if first == b'%' => {
+                bytes.push(byte);
+                rest = &others[2..];
+            }
+            _ => {
+                bytes.push(first);
+                rest = others;
+            }
+        }
+    }
+    match std::str::from_utf8(&bytes) {
+        Ok(_) => Ok(()),
+        Err(_) => Err(format!(
+            "`{uri}` is not UTF-8 once its percent signs are decoded"
+        )),
+    }
+}

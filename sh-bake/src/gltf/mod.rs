@@ -6,7 +6,7 @@ mod nodes;
 mod texture;
 
 use crate::error::{Error, one_line, shown};
-use crate::mesh::{Bind, RawFigure, RawPart};
+use crate::raw::{Bind, RawFigure, RawPart, WHITE};
 use gltf::Gltf;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::buffer::{self, Data};
@@ -118,7 +118,7 @@ fn buffers(
 ) -> Result<Vec<Data>, String> {
     for buffer in document.buffers() {
         if let buffer::Source::Uri(uri) = buffer.source() {
-            decodable(uri).map_err(|e| format!("buffers[{}].uri {e}.", buffer.index()))?;
+            check::decodable(uri).map_err(|e| format!("buffers[{}].uri {e}.", buffer.index()))?;
         }
     }
     gltf::import_buffers(document, Some(folder), blob).map_err(|e| match e {
@@ -128,34 +128,6 @@ fn buffers(
         gltf::Error::Io(e) => format!("a file that buffers[].uri names cannot be read: {e}."),
         e => format!("buffers[]: {e}."),
     })
-}
-
-/// Checks that a URI's percent signs make text: the crate takes that for granted.
-fn decodable(uri: &str) -> Result<(), String> {
-    if uri.starts_with("data:") || !uri.contains('%') {
-        return Ok(());
-    }
-    let mut bytes = Vec::new();
-    let mut rest = uri.as_bytes();
-    while let Some((&first, others)) = rest.split_first() {
-        let digits = others.get(..2).and_then(|d| std::str::from_utf8(d).ok());
-        match digits.and_then(|d| u8::from_str_radix(d, 16).ok()) {
-            Some(byte) if first == b'%' => {
-                bytes.push(byte);
-                rest = &others[2..];
-            }
-            _ => {
-                bytes.push(first);
-                rest = others;
-            }
-        }
-    }
-    match std::str::from_utf8(&bytes) {
-        Ok(_) => Ok(()),
-        Err(_) => Err(format!(
-            "`{uri}` is not UTF-8 once its percent signs are decoded"
-        )),
-    }
 }
 
 /// A primitive's triangles where its node puts them, and what carries them, where it `moves`. Messages name the
@@ -174,7 +146,7 @@ fn surface(
         colors: Vec::new(),
         triangles: Vec::new(),
         material: Material {
-            albedo: crate::WHITE,
+            albedo: WHITE,
             texture: None,
         },
         bind: None,

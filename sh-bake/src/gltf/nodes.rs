@@ -1,7 +1,7 @@
 //! The tree of nodes: where each mesh stands, and how skins bend it.
 
 use super::check;
-use crate::mesh::RawPart;
+use crate::raw::RawPart;
 use glam::{Affine3A, Mat3, Mat4, Vec3};
 use gltf::accessor::{DataType, Dimensions};
 use gltf::buffer::Data;

@@ -1,6 +1,6 @@
 //! Base colour textures of glTF files.
 
-use super::{check, decodable};
+use super::check;
 use gltf::buffer::Data;
 use gltf::image::{Data as Image, Format, Source};
 use sh_scene::Texture;
@@ -16,7 +16,7 @@ pub(crate) fn load(
     let name = format!("images[{}]", image.index());
     match image.source() {
         Source::View { view, .. } => check::view(&view, buffers),
-        Source::Uri { uri, .. } => decodable(uri),
+        Source::Uri { uri, .. } => check::decodable(uri),
     }
     .map_err(|e| format!("{name} {e}"))?;
     let image = Image::from_source(image.source(), Some(folder), buffers).map_err(|e| {

@@ -1,7 +1,6 @@
 //! Which clip an object plays.
 
-use crate::error::{Error, one_line};
-use crate::load::file_name;
+use crate::error::{Error, file_name, one_line};
 use crate::scene_file::SceneFile;
 use crate::{Figure, Model};
 use sh_scene::motion::Clip;

@@ -2,8 +2,7 @@
 
 use super::choice::called;
 use super::{bind_spheres, grow_spheres};
-use crate::error::Error;
-use crate::load::file_name;
+use crate::error::{Error, file_name};
 use crate::{Figure, Model, SphereSet};
 use sh_scene::motion::{Pose, Rig};
 use std::collections::BTreeMap;

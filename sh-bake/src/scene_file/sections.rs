@@ -1,8 +1,8 @@
 //! The tables of a scene file that are about the whole scene.
 
-use super::{FAR, SceneFile, albedo, beside};
+use super::content::SceneFile;
 use crate::error::Error;
-use crate::keys::Section;
+use crate::keys::{FAR, Section, albedo, beside};
 use glam::Vec3;
 use sh_scene::{Camera, Limits};
 use std::path::Path;

@@ -12,6 +12,7 @@ mod pieces;
 mod place;
 pub(crate) mod proof;
 mod random;
+mod search;
 mod solid;
 mod start;
 mod state;
@@ -68,7 +69,7 @@ impl SphereSet {
             .max(40 * count)
             .min(60_000);
         let pieces = Pieces::new(&points, &triangles, &solid, target);
-        let mut balls = fit::fit(&pieces, &solid, count, progress);
+        let mut balls = search::fit(&pieces, &solid, count, progress);
 
         if balls.is_empty() {
             // All triangles are one point, which a ball without extent holds.

@@ -1,10 +1,9 @@
 //! Moves that lower the outside volume of a set of balls: each is tried, and undone where it does not help.
 
 use super::fit::Fit;
-use super::place::Priced;
+use super::place::farthest;
 use super::proof::Ball;
 use super::random::Random;
-use super::start::farthest;
 use super::state::State;
 use glam::DVec3;
 
@@ -254,9 +253,4 @@ impl Fit<'_> {
         self.relieve(state, &touched, false);
         Some(())
     }
-}
-
-/// E of equation (35).
-pub(super) fn total(balls: &[Priced]) -> f64 {
-    balls.iter().map(|b| b.outside).sum()
 }

@@ -7,7 +7,6 @@
 
 use super::proof::Ball;
 use super::solid::{Disc, Solid};
-use super::start::farthest;
 use glam::DVec3;
 
 /// A ball with its volume outside the solid.
@@ -201,4 +200,21 @@ fn enclosing_center(points: &[DVec3], steps: u32) -> DVec3 {
         step *= 0.9;
     }
     center
+}
+
+/// The point farthest from another. `points` is not empty.
+pub(super) fn farthest(points: &[DVec3], from: DVec3) -> DVec3 {
+    let (mut best, mut most) = (from, -1.0);
+    for p in points {
+        let distance = p.distance_squared(from);
+        if distance > most {
+            (best, most) = (*p, distance);
+        }
+    }
+    best
+}
+
+/// E of equation (35).
+pub(super) fn total(balls: &[Priced]) -> f64 {
+    balls.iter().map(|b| b.outside).sum()
 }

@@ -1,6 +1,7 @@
 //! How a search begins: clusters of pieces, from which the first balls are made.
 
 use super::fit::Fit;
+use super::place::farthest;
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -71,18 +72,6 @@ impl Fit<'_> {
         }
         clusters
     }
-}
-
-/// The point farthest from another. `points` is not empty.
-pub(super) fn farthest(points: &[DVec3], from: DVec3) -> DVec3 {
-    let (mut best, mut most) = (from, -1.0);
-    for p in points {
-        let distance = p.distance_squared(from);
-        if distance > most {
-            (best, most) = (*p, distance);
-        }
-    }
-    best
 }
 
 /// Where the least value stands; the first of equals.

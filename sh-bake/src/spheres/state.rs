@@ -1,8 +1,7 @@
 //! The balls of a fit while it is being improved, with what each holds; changes can be taken back.
 
-use super::moves::total;
 use super::pieces::Pieces;
-use super::place::Priced;
+use super::place::{Priced, total};
 use super::proof::Ball;
 
 /// Balls, and which holds which pieces.

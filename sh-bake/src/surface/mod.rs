@@ -23,13 +23,12 @@
 //!
 //! as the test in `emission.rs` measures.
 
-mod bodies;
 mod paint;
+mod part;
 mod rules;
 mod shell;
 
-pub use bodies::SurfaceReport;
-pub(crate) use bodies::sample;
+pub(crate) use part::Part;
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -41,9 +40,6 @@ use std::sync::LazyLock;
 
 /// Changes whenever the same body may get other samples than before: those that were kept are then of no use.
 pub(crate) const SURFACE_VERSION: u32 = 2;
-
-/// A mesh and how it reflects.
-pub(crate) type Part<'a> = (&'a Mesh, &'a Material);
 
 /// Samples the surface of a body, given as parts that share one space, for the spheres that bound it. Samples have an
 /// entry for each sphere, without points where nothing is seen of it. The same input gives the same samples, whatever

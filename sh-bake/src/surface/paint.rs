@@ -1,6 +1,6 @@
 //! What the surface looks like where a line goes through it.
 
-use super::Part;
+use super::part::Part;
 use super::shell::Crossing;
 use glam::{DVec3, Vec3};
 use sh_scene::{Material, Mesh};

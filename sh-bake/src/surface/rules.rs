@@ -17,7 +17,7 @@
 //! shadows use) counts as inside: back sides count, and a line that meets none leaves by a hole, behind which it is dark.
 //! Around any other centre there is a sheet: both its sides count, each as the outside that is seen.
 
-use super::Part;
+use super::part::Part;
 use super::shell::{Crossing, Shell};
 use crate::spheres::winding::{INSIDE, Winding};
 use glam::DVec3;

@@ -4,7 +4,7 @@
 //! precision. A hierarchy of boxes in single precision only decides which triangles are asked: it is built over the
 //! body moved into the cube -1..1, and its boxes are a little larger than the triangles.
 
-use super::Part;
+use super::part::Part;
 use glam::DVec3;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;

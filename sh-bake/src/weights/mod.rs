@@ -7,13 +7,10 @@
 //!
 //! One set serves all orders; it is found at order 4. docs/SPHERES.md has figures.
 
-mod bodies;
 mod places;
 mod rays;
 mod solve;
 
-pub use bodies::WeightReport;
-pub(crate) use bodies::weigh;
 pub(crate) use solve::{log, transfer};
 
 use glam::DVec3;

@@ -14,9 +14,9 @@
 //! Only spheres whose discs may meet somewhere in the cluster are looked at, of which there are few.
 
 use super::accumulate::{Point, dot};
+use super::emission::Emission;
 use super::light_cut::{ALWAYS, LightCut, Met};
 use super::light_sent::At;
-use super::spherical_lights::SphericalLights;
 use sh_core::constants::{
     ANGLE_CONSTANT, ANGLE_CUBIC, ANGLE_LINEAR, ANGLE_SQUARE, ANGLES_ERR, ROOM,
 };
@@ -41,7 +41,7 @@ pub struct Disc<L> {
 pub(crate) fn discs<L: Lane, const C: usize>(
     point: &Point<L>,
     cut: &LightCut,
-    lights: &SphericalLights,
+    lights: &Emission,
     kept: &mut [Disc<L>; ROOM],
 ) -> [L; 3]
 where

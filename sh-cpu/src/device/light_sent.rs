@@ -1,9 +1,9 @@
 //! What spheres send to receivers.
 
 use super::accumulate::{Point, dot, each, look, seen_from};
+use super::emission::Emission;
 use super::light::reflected;
 use super::light_cut::Met;
-use super::spherical_lights::SphericalLights;
 use sh_core::seen::Seen;
 use sh_core::{Lane, Routines};
 
@@ -11,13 +11,13 @@ use sh_core::{Lane, Routines};
 #[derive(Clone, Copy)]
 pub(super) struct At<'a, L> {
     pub(super) point: Point<L>,
-    pub(super) lights: &'a SphericalLights,
+    pub(super) lights: &'a Emission,
     sum: [L; 3],
 }
 
 impl<'a, L: Lane> At<'a, L> {
     #[inline(always)]
-    pub(super) fn new(point: &Point<L>, lights: &'a SphericalLights) -> Self {
+    pub(super) fn new(point: &Point<L>, lights: &'a Emission) -> Self {
         Self {
             point: *point,
             lights,
@@ -58,7 +58,7 @@ impl<'a, L: Lane> At<'a, L> {
         let zero = visible.lift(0.0);
         let back = [-seen.direction[0], -seen.direction[1], -seen.direction[2]];
         let weights = <[L; C]>::ball_average(seen.sine, seen.cosine, back);
-        let mean = reflected(&weights, self.lights.emission(met.node));
+        let mean = reflected(&weights, self.lights.of(met.node));
         let most = self.lights.brightest_of(met.node);
         let visible = visible.max(zero);
         for (c, sum) in self.sum.iter_mut().enumerate() {

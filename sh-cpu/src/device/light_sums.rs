@@ -8,9 +8,9 @@
 //! within a run each needs two.
 
 use super::accumulate::Point;
+use super::emission::Emission;
 use super::light_cut::{ALWAYS, LightCut, Met, NEVER};
 use super::light_sent::At;
-use super::spherical_lights::SphericalLights;
 use sh_core::seen::Seen;
 use sh_core::{Lane, ROOT_FOUR_PI, Routines};
 use std::ops::Range;
@@ -24,7 +24,7 @@ const KEPT: usize = 24;
 pub(crate) fn sums<L: Lane, const C: usize>(
     point: &Point<L>,
     cut: &LightCut,
-    lights: &SphericalLights,
+    lights: &Emission,
     visibility: impl Fn(&[L; C]) -> [L; C],
 ) -> [L; 3]
 where

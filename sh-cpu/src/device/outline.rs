@@ -8,12 +8,12 @@
 
 use super::accumulate::{Blockers, Point, accumulated};
 use super::behind::{Change, parted};
+use super::emission::Emission;
 use super::emitters::emitted;
 use super::light_cut::LightCut;
 use super::light_discs::{Disc, discs};
 use super::light_sums::sums;
 use super::logs::{Logs, ratio_logs};
-use super::spherical_lights::SphericalLights;
 use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
 use fearless_simd::Simd;
 use sh_core::constants::ROOM;
@@ -62,12 +62,12 @@ where
     fn gathered_discs(
         point: &Point<Self>,
         cut: &LightCut,
-        lights: &SphericalLights,
+        lights: &Emission,
         kept: &mut [Disc<Self>; ROOM],
     ) -> [Self; 3];
 
     /// The same with visibilities that are differences of exponentials.
-    fn gathered_sums(point: &Point<Self>, cut: &LightCut, lights: &SphericalLights) -> [Self; 3];
+    fn gathered_sums(point: &Point<Self>, cut: &LightCut, lights: &Emission) -> [Self; 3];
 }
 
 /// A lane type with [`Outline`] for orders 2 to 6.
@@ -146,7 +146,7 @@ macro_rules! routines {
         fn gathered_discs(
             point: &Point<Self>,
             cut: &LightCut,
-            lights: &SphericalLights,
+            lights: &Emission,
             kept: &mut [Disc<Self>; ROOM],
         ) -> [Self; 3] {
             $enter(
@@ -157,11 +157,7 @@ macro_rules! routines {
         }
 
         #[$inline]
-        fn gathered_sums(
-            point: &Point<Self>,
-            cut: &LightCut,
-            lights: &SphericalLights,
-        ) -> [Self; 3] {
+        fn gathered_sums(point: &Point<Self>, cut: &LightCut, lights: &Emission) -> [Self; 3] {
             $enter(
                 point.object,
                 #[inline(always)]

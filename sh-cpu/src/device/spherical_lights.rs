@@ -1,33 +1,16 @@
-//! What spheres send on, as the passes read it.
+//! What spheres send on, with what it takes to find it.
 
 use super::cut::Cuts;
-use super::light::reflected;
-use super::light_cut::LightCuts;
-use glam::Vec3;
-use sh_core::Routines;
-use sh_core::constants::NO_BODY;
-use sh_scene::{Forest, Receiver};
+use super::emission::Emission;
+use super::light_cuts::LightCuts;
+use sh_scene::Receiver;
 use std::ops::Range;
 
 /// What the spheres of all bodies send on, as SH vectors in world space: for every node of a forest. Its memory is kept
 /// from frame to frame.
 #[derive(Clone, Debug, Default)]
 pub struct SphericalLights {
-    pub(crate) order: usize,
-    /// `order²` coefficients a node, in three channels.
-    pub(crate) emission: Vec<[f32; 3]>,
-    /// The brightest of each node's points.
-    pub(crate) brightest: Vec<[f32; 3]>,
-    pub(crate) most: [f32; 3],
-    /// The body of each node; [`NO_BODY`] where it stands for several.
-    bodies: Vec<u32>,
-    /// The node that stands for each body.
-    roots: Vec<u32>,
-    /// The node of each sphere.
-    pub(crate) leaves: Vec<u32>,
-    /// How much of each sphere its body's other spheres leave to be seen ([`sh_scene::surface::SurfaceSamples::exposed`]): `order²`
-    /// coefficients a node, in world space.
-    pub(crate) exposed: Vec<f32>,
+    pub(crate) emission: Emission,
     pub(crate) points: Points,
     pub(crate) light_cuts: LightCuts,
 }
@@ -46,154 +29,23 @@ pub(crate) struct Points {
 impl SphericalLights {
     /// The SH order of what is sent on: that of the light.
     pub fn order(&self) -> usize {
-        self.order
+        self.emission.order()
     }
 
     /// What a node of the forest emits: radiance as a function of the direction from its centre, coefficient by
     /// coefficient in three channels.
     pub fn emission(&self, node: u32) -> &[[f32; 3]] {
-        let count = self.order * self.order;
-        &self.emission[node as usize * count..][..count]
-    }
-
-    /// Bytes of what nodes emit and of the points that light them.
-    pub(crate) fn bytes(&self) -> usize {
-        let emitted = size_of_val(&self.emission[..]) + size_of_val(&self.brightest[..]);
-        let lit = 2 * size_of_val(&self.points.direct[..]);
-        emitted + size_of_val(&self.points.receivers[..]) + lit
+        self.emission.of(node)
     }
 
     /// No part of any surface sends on more radiance than this.
     pub fn brightest(&self) -> [f32; 3] {
-        self.most
+        self.emission.brightest()
     }
 
-    pub(crate) fn brightest_of(&self, node: u32) -> &[f32; 3] {
-        &self.brightest[node as usize]
+    /// Bytes of what nodes emit and of the points that light them.
+    pub(crate) fn bytes(&self) -> usize {
+        let lit = 2 * size_of_val(&self.points.direct[..]);
+        self.emission.bytes() + size_of_val(&self.points.receivers[..]) + lit
     }
-
-    /// The mean radiance of a ball in a node's place that appears under this sine, `towards` whoever looks at it.
-    pub(crate) fn radiance(&self, node: u32, sine: f32, towards: Vec3) -> [f32; 3] {
-        match self.order {
-            2 => self.radiance_in::<4>(node, sine, towards),
-            3 => self.radiance_in::<9>(node, sine, towards),
-            4 => self.radiance_in::<16>(node, sine, towards),
-            5 => self.radiance_in::<25>(node, sine, towards),
-            _ => self.radiance_in::<36>(node, sine, towards),
-        }
-    }
-
-    fn radiance_in<const C: usize>(&self, node: u32, sine: f32, towards: Vec3) -> [f32; 3]
-    where
-        [f32; C]: Routines<f32>,
-    {
-        let cosine = (1.0 - sine * sine).max(0.0).sqrt();
-        let weights = <[f32; C]>::ball_average(sine, cosine, towards.to_array());
-        let mean = reflected(&weights, self.emission(node));
-        let most = self.brightest_of(node);
-        std::array::from_fn(|c| mean[c].max(0.0).min(most[c]))
-    }
-
-    /// How much of a sphere its body's other spheres leave to be seen from a direction; `node` is a leaf.
-    pub(crate) fn exposed(&self, node: u32, from: Vec3) -> f32 {
-        let count = self.order * self.order;
-        let own = &self.exposed[node as usize * count..][..count];
-        let share = match self.order {
-            2 => share_in::<4>(own, from),
-            3 => share_in::<9>(own, from),
-            4 => share_in::<16>(own, from),
-            5 => share_in::<25>(own, from),
-            _ => share_in::<36>(own, from),
-        };
-        share.clamp(0.0, 1.0)
-    }
-
-    /// Whether a node emits anything.
-    pub(crate) fn shines(&self, node: u32) -> bool {
-        self.brightest[node as usize].iter().any(|&c| c > 0.0)
-    }
-
-    /// The one body that a node is part of.
-    pub(crate) fn body(&self, node: u32) -> Option<u32> {
-        Some(self.bodies[node as usize]).filter(|&body| body != NO_BODY)
-    }
-
-    /// The node that stands for a body.
-    pub(crate) fn root(&self, body: u32) -> u32 {
-        self.roots[body as usize]
-    }
-
-    /// Bodies of so many spheres, each of one radiance in every direction; nodes above bodies have the brightest.
-    #[cfg(test)]
-    pub(crate) fn even(forest: &Forest, order: usize, bodies: &[(usize, [f32; 3])]) -> Self {
-        use sh_core::ROOT_FOUR_PI;
-        let mut lights = Self {
-            order,
-            ..Self::default()
-        };
-        lights.own(bodies.iter().map(|body| body.0), forest);
-        for (_, radiance) in bodies {
-            for (most, c) in lights.most.iter_mut().zip(radiance) {
-                *most = most.max(*c);
-            }
-        }
-        for &body in &lights.bodies {
-            let radiance = bodies.get(body as usize).map_or(lights.most, |body| body.1);
-            lights
-                .emission
-                .push(radiance.map(|c| c * ROOT_FOUR_PI as f32));
-            let rest = std::iter::repeat_n([0.0; 3], order * order - 1);
-            lights.emission.extend(rest);
-            lights.brightest.push(radiance);
-            lights.exposed.push(ROOT_FOUR_PI as f32);
-            let rest = std::iter::repeat_n(0.0, order * order - 1);
-            lights.exposed.extend(rest);
-        }
-        lights
-    }
-
-    /// Which body each node belongs to, of bodies of so many spheres.
-    pub(crate) fn own(&mut self, bodies: impl IntoIterator<Item = usize>, forest: &Forest) {
-        let nodes = forest.nodes();
-        self.bodies.clear();
-        self.bodies.resize(nodes.len(), NO_BODY);
-        self.roots.clear();
-        self.leaves.clear();
-        self.leaves.resize(forest.spheres(), 0);
-        let mut ends = Vec::new();
-        let mut end = 0;
-        for spheres in bodies {
-            end += spheres;
-            ends.push(end);
-            self.roots.push(0);
-        }
-        for (at, node) in nodes.iter().enumerate().rev() {
-            if node.is_leaf(at) {
-                let body = ends.partition_point(|&end| end <= node.sphere as usize);
-                self.bodies[at] = body as u32;
-                self.leaves[node.sphere as usize] = at as u32;
-            } else {
-                // All children's, if they agree.
-                let mut child = at + 1;
-                let body = self.bodies[child];
-                let mut one = true;
-                while child < node.skip as usize {
-                    one &= self.bodies[child] == body;
-                    child = nodes[child].skip as usize;
-                }
-                self.bodies[at] = if one { body } else { NO_BODY };
-            }
-            if let Some(root) = self.roots.get_mut(self.bodies[at] as usize) {
-                *root = at as u32;
-            }
-        }
-    }
-}
-
-fn share_in<const C: usize>(coefficients: &[f32], from: Vec3) -> f32
-where
-    [f32; C]: Routines<f32>,
-{
-    let basis = <[f32; C]>::basis(from.to_array());
-    basis.iter().zip(coefficients).map(|(y, c)| y * c).sum()
 }

@@ -4,7 +4,7 @@
 //!
 //! [`Lanes4`], [`Lanes8`] and [`Lanes16`] wrap the vectors of `fearless_simd`. Which instructions they become is
 //! decided by the level `S` that they carry (SSE2 to AVX-512, Neon, wasm), and everything here is
-//! `#[inline(always)]`: code written against [`Lane`] turns into those instructions when, and only when,
+//! `#[inline(always)]`: code written against [`sh_core::Lane`] turns into those instructions when, and only when,
 //! it is inlined into a function that `fearless_simd::dispatch!` has entered.
 //!
 //! Registers that a value takes; the passes compute with those that take one:

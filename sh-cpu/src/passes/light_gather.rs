@@ -17,7 +17,7 @@
 
 use crate::device::accumulate::Point;
 use crate::device::drive::{Kernel, Place, Work, drive};
-use crate::device::light_cut::LightCuts;
+use crate::device::light_cuts::LightCuts;
 use crate::device::light_discs::Disc;
 use crate::device::outline::{Outline, OutlineAll};
 use crate::device::spherical_lights::SphericalLights;
@@ -87,9 +87,10 @@ impl Kernel for LightGather<'_> {
         [L; C]: Routines<L>,
     {
         let cut = self.cuts.of(place.cluster);
+        let emission = &self.lights.emission;
         match self.cuts.blocking() {
-            Blocking::Discs => <L as Outline<C>>::gathered_discs(point, cut, self.lights, kept),
-            _ => <L as Outline<C>>::gathered_sums(point, cut, self.lights),
+            Blocking::Discs => <L as Outline<C>>::gathered_discs(point, cut, emission, kept),
+            _ => <L as Outline<C>>::gathered_sums(point, cut, emission),
         }
     }
 }

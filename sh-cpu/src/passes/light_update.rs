@@ -57,9 +57,10 @@ impl SphericalLights {
                 found: spheres,
             });
         }
-        self.order = light.order;
+        self.emission.order = light.order;
         self.points.place(bodies.clone());
-        self.own(bodies.clone().into_iter().map(|body| body.spheres), forest);
+        self.emission
+            .own(bodies.clone().into_iter().map(|body| body.spheres), forest);
         let cut = CutOptions {
             limits: update.limits,
             ratios: true,
@@ -67,7 +68,8 @@ impl SphericalLights {
         };
         self.points.shade(path, forest, light, cut)?;
         let within_bodies = update.indirect.blocking.within_bodies();
-        self.emit(bodies.clone(), forest, within_bodies)?;
+        self.emission
+            .emit(&self.points, bodies.clone(), forest, within_bodies)?;
         for _ in 1..update.indirect.bounces {
             let mut cuts = std::mem::take(&mut self.light_cuts);
             let mut points = std::mem::take(&mut self.points);
@@ -93,7 +95,8 @@ impl SphericalLights {
             let gathered = light_gather(path, receivers, &gather, indirect);
             (self.light_cuts, self.points) = (cuts, points);
             gathered?;
-            self.emit(bodies.clone(), forest, within_bodies)?;
+            self.emission
+                .emit(&self.points, bodies.clone(), forest, within_bodies)?;
         }
         Ok(())
     }

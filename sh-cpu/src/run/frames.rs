@@ -5,7 +5,7 @@ use super::work::{Ledger, Stages, Work};
 use crate::device::check::{check_environment, check_view};
 use crate::device::cut::Cuts;
 use crate::device::geometry::{Geometry, Hierarchy};
-use crate::device::light_cut::LightCuts;
+use crate::device::light_cuts::LightCuts;
 use crate::device::spherical_lights::SphericalLights;
 use crate::error::Error;
 use crate::store::{Camera, Counts, Sets, Spheres, Store};

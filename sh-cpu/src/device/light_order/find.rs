@@ -3,7 +3,9 @@
 use super::gain::gain;
 use super::pairs::{by_bodies, by_spheres, joint, power};
 use crate::device::cut::{CutOptions, Cuts};
-use crate::device::light_cut::{ALWAYS, Cap, Hider, LightCut, LightCuts, Met, NEVER};
+use crate::device::emission::Emission;
+use crate::device::light_cut::{ALWAYS, Cap, Hider, LightCut, Met, NEVER};
+use crate::device::light_cuts::LightCuts;
 use crate::device::spherical_lights::SphericalLights;
 use crate::lanes::path::Path;
 use glam::Vec3;
@@ -47,7 +49,7 @@ impl LightCuts {
             .par_iter_mut()
             .enumerate()
             .for_each(|(cluster, order)| {
-                order.find(cuts, cluster, forest, lights, options.blocking)
+                order.find(cuts, cluster, forest, &lights.emission, options.blocking)
             });
     }
 }
@@ -58,7 +60,7 @@ impl LightCut {
         cuts: &Cuts,
         cluster: usize,
         forest: &Forest,
-        lights: &SphericalLights,
+        lights: &Emission,
         blocking: Blocking,
     ) {
         self.spheres.clear();
@@ -86,7 +88,7 @@ impl LightCut {
         bounds: &Bounds,
         (cuts, cluster): (&Cuts, usize),
         forest: &Forest,
-        lights: &SphericalLights,
+        lights: &Emission,
         discs: bool,
     ) {
         let blockers = cuts.of(cluster);
@@ -115,13 +117,7 @@ impl LightCut {
     }
 
     /// How much each sphere hides of each other.
-    fn compare(
-        &mut self,
-        bounds: &Bounds,
-        forest: &Forest,
-        lights: &SphericalLights,
-        blocking: Blocking,
-    ) {
+    fn compare(&mut self, bounds: &Bounds, forest: &Forest, lights: &Emission, blocking: Blocking) {
         let Self {
             spheres, before, ..
         } = self;
@@ -162,7 +158,7 @@ impl LightCut {
 
     /// For each sphere those that may cover a part of it for a receiver of the cluster: with radii larger by that of the
     /// cluster, seen from its centre, their discs meet.
-    fn find_hiders(&mut self, bounds: &Bounds, lights: &SphericalLights) {
+    fn find_hiders(&mut self, bounds: &Bounds, lights: &Emission) {
         let Self {
             spheres,
             hiders,

@@ -1,6 +1,6 @@
 //! What brings a node's light to that of the spheres it stands for.
 
-use crate::device::spherical_lights::SphericalLights;
+use crate::device::emission::Emission;
 use glam::Vec3;
 use sh_core::constants::MOST_GAIN;
 use sh_scene::Forest;
@@ -13,7 +13,7 @@ pub(super) fn gain(
     at: usize,
     radius: f32,
     forest: &Forest,
-    lights: &SphericalLights,
+    lights: &Emission,
 ) -> [f32; 3] {
     let node = &forest.nodes()[at];
     if node.is_leaf(at) || !lights.shines(at as u32) {

@@ -1,7 +1,7 @@
 //! Which of two spheres hides the other, for all receivers of a cluster.
 
+use crate::device::emission::Emission;
 use crate::device::light_cut::{ALWAYS, Met, NEVER};
-use crate::device::spherical_lights::SphericalLights;
 use glam::Vec3;
 use sh_scene::Forest;
 use sh_scene::order::{SHARPEST, swap_width};
@@ -12,7 +12,7 @@ pub(super) fn power(from: Vec3, center: Vec3, radius: f32) -> f32 {
 }
 
 /// Whether two are spheres of one body that intersect.
-pub(super) fn joint(pair: [&Met; 2], lights: &SphericalLights) -> bool {
+pub(super) fn joint(pair: [&Met; 2], lights: &Emission) -> bool {
     let [a, b] = pair.map(|met| lights.body(met.node));
     let [p, q] = pair.map(|met| met.blocker);
     let reach = p.radius + q.radius;
@@ -47,7 +47,7 @@ pub(super) fn by_bodies(
     [near, far]: [&Met; 2],
     center: Vec3,
     forest: &Forest,
-    lights: &SphericalLights,
+    lights: &Emission,
 ) -> [f32; 2] {
     let [a, b] = [near, far].map(|met| lights.body(met.node));
     let (Some(a), Some(b)) = (a, b) else {

@@ -1,5 +1,6 @@
 use super::*;
 use crate::device::cut::CutOptions;
+use crate::device::emission::Emission;
 use crate::device::light_order::LightCutOptions;
 use glam::{Vec3, vec3};
 use sh_core::Routines;
@@ -32,7 +33,10 @@ impl Bright {
         let forest = Forest::new(&spheres, &counts);
         let bodies: Vec<_> = bodies.iter().map(|body| (body.0.len(), body.1)).collect();
         Self {
-            lights: SphericalLights::even(&forest, order, &bodies),
+            lights: SphericalLights {
+                emission: Emission::even(&forest, order, &bodies),
+                ..SphericalLights::default()
+            },
             spheres,
             bodies,
             forest,

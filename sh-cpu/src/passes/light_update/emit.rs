@@ -1,27 +1,29 @@
 //! What spheres emit, from the light on their points: each sphere's own, then the means of those below a node.
 
 use super::body::{Body, rotation};
-use crate::device::spherical_lights::SphericalLights;
+use crate::device::emission::Emission;
+use crate::device::spherical_lights::Points;
 use crate::error::Error;
 use glam::Quat;
 use sh_core::{ROOT_FOUR_PI, Routines};
 use sh_scene::surface::{DIRECTIONS, SurfacePoint, cell_sums};
 use sh_scene::{Forest, Node};
 
-impl SphericalLights {
+impl Emission {
     /// Emission of all nodes from the points' radiance.
     pub(super) fn emit<'a>(
         &mut self,
+        points: &Points,
         bodies: impl IntoIterator<Item = Body<'a>>,
         forest: &Forest,
         within_bodies: bool,
     ) -> Result<(), Error> {
         match self.order {
-            2 => self.emit_in::<4>(bodies, forest, within_bodies),
-            3 => self.emit_in::<9>(bodies, forest, within_bodies),
-            4 => self.emit_in::<16>(bodies, forest, within_bodies),
-            5 => self.emit_in::<25>(bodies, forest, within_bodies),
-            6 => self.emit_in::<36>(bodies, forest, within_bodies),
+            2 => self.emit_in::<4>(points, bodies, forest, within_bodies),
+            3 => self.emit_in::<9>(points, bodies, forest, within_bodies),
+            4 => self.emit_in::<16>(points, bodies, forest, within_bodies),
+            5 => self.emit_in::<25>(points, bodies, forest, within_bodies),
+            6 => self.emit_in::<36>(points, bodies, forest, within_bodies),
             order => return Err(Error::Order { order }),
         }
         Ok(())
@@ -29,6 +31,7 @@ impl SphericalLights {
 
     fn emit_in<'a, const C: usize>(
         &mut self,
+        points: &Points,
         bodies: impl IntoIterator<Item = Body<'a>>,
         forest: &Forest,
         within_bodies: bool,
@@ -36,13 +39,13 @@ impl SphericalLights {
         [f32; C]: Routines<f32>,
     {
         let nodes = forest.nodes();
-        self.emission.clear();
-        self.emission.resize(nodes.len() * C, [0.0; 3]);
+        self.coefficients.clear();
+        self.coefficients.resize(nodes.len() * C, [0.0; 3]);
         self.exposed.clear();
         self.exposed.resize(nodes.len() * C, 0.0);
         self.brightest.clear();
         self.brightest.resize(nodes.len(), [0.0; 3]);
-        self.emit_spheres::<C>(bodies, within_bodies);
+        self.emit_spheres::<C>(points, bodies, within_bodies);
         for (at, node) in nodes.iter().enumerate().rev() {
             if !node.is_leaf(at) {
                 self.emit_mean::<C>(at, nodes);
@@ -54,13 +57,14 @@ impl SphericalLights {
     /// What each sphere emits: found in object space, and turned.
     fn emit_spheres<'a, const C: usize>(
         &mut self,
+        points: &Points,
         bodies: impl IntoIterator<Item = Body<'a>>,
         within_bodies: bool,
     ) where
         [f32; C]: Routines<f32>,
     {
         let mut leaves = self.leaves.iter();
-        let mut lit = self.points.direct.iter().zip(&self.points.indirect);
+        let mut lit = points.direct.iter().zip(&points.indirect);
         for body in bodies {
             let turn = rotation(&body.transform);
             for sphere in 0..body.spheres {
@@ -78,7 +82,7 @@ impl SphericalLights {
                 let seen: [f32; C] = std::array::from_fn(|i| all[i]);
                 self.exposed[node * C..][..C].copy_from_slice(&seen.rotate(turn));
                 self.brightest[node] = sent.brightest;
-                for (i, out) in self.emission[node * C..][..C].iter_mut().enumerate() {
+                for (i, out) in self.coefficients[node * C..][..C].iter_mut().enumerate() {
                     *out = [red[i], green[i], blue[i]];
                 }
             }
@@ -88,7 +92,7 @@ impl SphericalLights {
     /// What a node emits that stands for several: the mean of its children by their cross-sections, of a sphere as much as
     /// its body leaves to be seen of it.
     fn emit_mean<const C: usize>(&mut self, at: usize, nodes: &[Node]) {
-        let (above, below) = self.emission.split_at_mut((at + 1) * C);
+        let (above, below) = self.coefficients.split_at_mut((at + 1) * C);
         let own = &mut above[at * C..];
         for child in children(at, nodes) {
             let share = if nodes[at].area > 0.0 {

@@ -1,41 +1,14 @@
-//! Scene files: TOML, as the crate's documentation shows.
+//! The file as a whole.
 
-mod sections;
-
+use super::content::SceneFile;
+use super::sections;
 use crate::error::{Error, read};
 use crate::keys::{Section, Source};
-use crate::lights::LightEntry;
 use crate::objects::ObjectEntry;
 use crate::{indirect, lights};
-use sh_scene::Settings;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use toml::de::{DeTable, DeValue};
-
-/// A scene file's content, checked but not yet resolved.
-pub(crate) struct SceneFile {
-    /// Whether it is none, but a mesh file.
-    pub(crate) of_mesh: bool,
-    pub(crate) objects: Vec<ObjectEntry>,
-    pub(crate) map: Option<PathBuf>,
-    /// Radians.
-    pub(crate) rotation: f32,
-    /// Degrees a second.
-    pub(crate) turn: f32,
-    pub(crate) intensity: f32,
-    pub(crate) ground: bool,
-    pub(crate) ground_height: Option<f32>,
-    pub(crate) ground_albedo: [f32; 3],
-    pub(crate) eye: Option<[f32; 3]>,
-    pub(crate) target: Option<[f32; 3]>,
-    /// Radians.
-    pub(crate) fov: Option<f32>,
-    pub(crate) settings: Settings,
-    pub(crate) lights: Vec<LightEntry>,
-}
-
-/// Coordinates and factors beyond this leave what `f32` can square.
-pub(crate) const FAR: f32 = 1e9;
 
 impl SceneFile {
     /// Reads a scene file.
@@ -141,33 +114,6 @@ fn objects(
     Ok(objects)
 }
 
-impl Default for SceneFile {
-    /// What holds where a file says nothing.
-    fn default() -> Self {
-        Self {
-            of_mesh: false,
-            objects: Vec::new(),
-            map: None,
-            rotation: 0.0,
-            turn: 0.0,
-            intensity: 1.0,
-            ground: true,
-            ground_height: None,
-            ground_albedo: [0.5; 3],
-            eye: None,
-            target: None,
-            fov: None,
-            settings: Settings::default(),
-            lights: Vec::new(),
-        }
-    }
-}
-
-/// Reflectances.
-pub(crate) fn albedo(section: &Section) -> Result<Option<[f32; 3]>, Error> {
-    section.triple("albedo", "from 0 to 1", true, |n| (0.0..=1.0).contains(&n))
-}
-
 fn table<'a>(
     source: Source,
     name: &str,
@@ -180,14 +126,10 @@ fn table<'a>(
     }
 }
 
-/// A path as the scene file means it.
-pub(crate) fn beside(scene: &Path, path: &str) -> PathBuf {
-    scene.parent().unwrap_or(Path::new("")).join(path)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sh_scene::Settings;
 
     fn parse(text: &str) -> Result<SceneFile, String> {
         SceneFile::parse(Path::new("dir/s.toml"), text).map_err(|e| e.to_string())
@@ -204,7 +146,7 @@ mod tests {
 
     #[test]
     fn the_example_in_the_documentation_is_a_scene() {
-        let example: String = include_str!("lib.rs")
+        let example: String = include_str!("../lib.rs")
             .lines()
             .skip_while(|line| !line.contains("```toml"))
             .skip(1)

@@ -1,10 +1,4 @@
-//! A GPU for the program: finding one, submitting, waiting, reading back.
-//!
-//! The passes of `sh-gpu` leave all of this to their host; here the host is this program.
-
-mod stamps;
-
-pub use stamps::Stamps;
+//! An opened device, and what is submitted to it.
 
 use crate::Error;
 use std::sync::{Arc, Mutex, PoisonError};

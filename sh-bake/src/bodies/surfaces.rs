@@ -1,9 +1,8 @@
 //! The surfaces of a scene's bodies.
 
-use super::{Part, bake_with};
-use crate::Cache;
-use crate::cache::surface_key;
-use crate::load::Progress;
+use crate::cache::{Cache, surface_key};
+use crate::progress::Progress;
+use crate::surface::{Part, bake_with};
 use rayon::prelude::*;
 use sh_scene::{Object, SurfaceSamples};
 use std::collections::BTreeMap;

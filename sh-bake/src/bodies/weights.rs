@@ -1,9 +1,8 @@
 //! The weights of a scene's bodies.
 
-use super::{Pose, of_poses};
-use crate::Cache;
-use crate::cache::weights_key;
-use crate::load::Progress;
+use crate::cache::{Cache, weights_key};
+use crate::progress::Progress;
+use crate::weights::{Pose, of_poses};
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use sh_scene::motion::Motion;

@@ -1,0 +1,9 @@
+//! What is found for each body of a scene: once for all that are alike, or taken from the cache.
+
+mod surfaces;
+mod weights;
+
+pub use surfaces::SurfaceReport;
+pub(crate) use surfaces::sample;
+pub use weights::WeightReport;
+pub(crate) use weights::weigh;

@@ -1,0 +1,50 @@
+//! What a scene file says.
+
+use crate::lights::LightEntry;
+use crate::objects::ObjectEntry;
+use sh_scene::Settings;
+use std::path::PathBuf;
+
+/// A scene file's content, checked but not yet resolved.
+pub(crate) struct SceneFile {
+    /// Whether it is none, but a mesh file.
+    pub(crate) of_mesh: bool,
+    pub(crate) objects: Vec<ObjectEntry>,
+    pub(crate) map: Option<PathBuf>,
+    /// Radians.
+    pub(crate) rotation: f32,
+    /// Degrees a second.
+    pub(crate) turn: f32,
+    pub(crate) intensity: f32,
+    pub(crate) ground: bool,
+    pub(crate) ground_height: Option<f32>,
+    pub(crate) ground_albedo: [f32; 3],
+    pub(crate) eye: Option<[f32; 3]>,
+    pub(crate) target: Option<[f32; 3]>,
+    /// Radians.
+    pub(crate) fov: Option<f32>,
+    pub(crate) settings: Settings,
+    pub(crate) lights: Vec<LightEntry>,
+}
+
+impl Default for SceneFile {
+    /// What holds where a file says nothing.
+    fn default() -> Self {
+        Self {
+            of_mesh: false,
+            objects: Vec::new(),
+            map: None,
+            rotation: 0.0,
+            turn: 0.0,
+            intensity: 1.0,
+            ground: true,
+            ground_height: None,
+            ground_albedo: [0.5; 3],
+            eye: None,
+            target: None,
+            fov: None,
+            settings: Settings::default(),
+            lights: Vec::new(),
+        }
+    }
+}
