@@ -7,6 +7,7 @@
 mod closed;
 mod fit;
 mod flood;
+mod memory;
 mod moves;
 mod pieces;
 mod place;
