@@ -1,7 +1,7 @@
 //! Moves that lower the outside volume of a set of balls: each is tried, and undone where it does not help.
 
 use super::fit::Fit;
-use super::place::farthest;
+use super::place::{Priced, farthest};
 use super::proof::Ball;
 use super::random::Random;
 use super::state::State;
@@ -17,7 +17,7 @@ impl Fit<'_> {
         for _ in 0..6 {
             let before = state.total();
             let order = state.costliest();
-            self.relieve(state, &order, true);
+            self.relieve(state, &order, true, f64::INFINITY);
             state.keep();
             if state.total() > 0.99 * before {
                 break;
@@ -25,16 +25,40 @@ impl Fit<'_> {
         }
     }
 
-    /// Relieves the balls named in `order`, once.
-    fn relieve(&self, state: &mut State, order: &[usize], thorough: bool) {
+    /// Relieves the balls named in `order`, once. None as soon as E cannot fall below `limit` any more, even if the
+    /// balls that are left came to have nothing outside.
+    fn relieve(
+        &self,
+        state: &mut State,
+        order: &[usize],
+        thorough: bool,
+        limit: f64,
+    ) -> Option<()> {
+        /// What sums are wrong by through rounding is less.
+        const SLACK: f64 = 1e-9;
+        let worth = |state: &State, i: usize| {
+            let Priced { ball, outside } = state.balls()[i];
+            outside + SLACK * ball.radius.powi(3)
+        };
+        let mut hope: f64 = order.iter().map(|&i| worth(state, i)).sum();
+        let limit = limit + SLACK * (limit + hope);
         for &i in order {
+            if state.total() - hope > limit {
+                return None;
+            }
+            hope -= worth(state, i);
             let own = state.own(i);
             let old = state.balls()[i];
-            let placed = self.place(&own, Some(old.ball), thorough);
-            if own.is_empty() || placed.outside < old.outside {
+            let is_free = own.is_empty();
+            let place = |own: &[u32]| self.place(own, Some(old.ball), thorough);
+            let placed = state
+                .memory
+                .placed(i, own, old.ball.center, thorough, place);
+            if is_free || placed.outside < old.outside {
                 state.set(i, placed);
             }
         }
+        Some(())
     }
 
     /// Teleportation: makes two of a costly ball, and one less elsewhere, as long as that lowers E.
@@ -47,7 +71,8 @@ impl Fit<'_> {
                 break;
             };
             let before = state.total();
-            if self.split(state, worst).is_some() && state.total() < 0.999 * before {
+            let limit = 0.999 * before;
+            if self.split(state, worst, limit).is_some() && state.total() < limit {
                 state.keep();
                 failures = 0;
             } else {
@@ -61,8 +86,8 @@ impl Fit<'_> {
     }
 
     /// Makes ball `split` two. The second is one that can be spared: its pieces go to the neighbours that grow
-    /// least by it.
-    fn split(&self, state: &mut State, split: usize) -> Option<()> {
+    /// least by it. None where E does not fall below `limit`.
+    fn split(&self, state: &mut State, split: usize, limit: f64) -> Option<()> {
         let spare = self.spare(state, Some(split))?;
         let [first, second] = self.halved(&state.own(split));
         for (i, pieces) in [(split, first), (spare, second)] {
@@ -71,8 +96,7 @@ impl Fit<'_> {
         // Those that grew, and those around the split, can be smaller now.
         let mut order = state.around(split, 6);
         order.extend([spare, split]);
-        self.relieve(state, &order, true);
-        Some(())
+        self.relieve(state, &order, true, limit)
     }
 
     /// Does without balls as long as that lowers E, as it does in a body that few balls fill.
@@ -135,14 +159,15 @@ impl Fit<'_> {
             .collect();
         for &piece in pieces {
             let corners = self.pieces.corners(piece);
-            let (k, needs) = heirs
-                .iter()
-                .map(|(_, ball)| ball.needs(&corners))
-                .enumerate()
-                .min_by(|a, b| {
-                    (a.1 - heirs[a.0].1.radius).total_cmp(&(b.1 - heirs[b.0].1.radius))
-                })?;
-            heirs[k].1.radius = heirs[k].1.radius.max(needs);
+            let mut least = (0, f64::INFINITY, 0.0);
+            for (k, (_, ball)) in heirs.iter().enumerate() {
+                let needs = ball.needs(&corners);
+                if needs - ball.radius < least.1 {
+                    least = (k, needs - ball.radius, needs);
+                }
+            }
+            let heir = &mut heirs.get_mut(least.0)?.1;
+            heir.radius = heir.radius.max(least.2);
         }
         heirs.retain(|(j, ball)| ball.radius > state.balls()[*j].ball.radius);
         Some(heirs)
@@ -250,7 +275,6 @@ impl Fit<'_> {
         });
         let near: Vec<usize> = near.take(4).collect();
         touched.extend(near);
-        self.relieve(state, &touched, false);
-        Some(())
+        self.relieve(state, &touched, false, before)
     }
 }

@@ -2,24 +2,75 @@
 //! inside.
 
 use super::proof::{Ball, halves, longest_squared};
-use super::solid::Solid;
+use super::solid::{Solid, greater};
 use glam::DVec3;
 use std::collections::HashMap;
 
 /// Pieces in one block.
-const BLOCK: usize = 32;
+const BLOCK: usize = 16;
 
 /// Pieces over shared points. A point inside is a piece whose three corners are one.
 pub(crate) struct Pieces {
     pub(crate) points: Vec<DVec3>,
     pub(crate) corners: Vec<[u32; 3]>,
+    /// The corners themselves: what balls are held to, thousands of times.
+    shapes: Vec<[DVec3; 3]>,
     /// Of each piece: its middle, and its normal times its area.
     pub(crate) middles: Vec<DVec3>,
     pub(crate) normals: Vec<DVec3>,
-    /// Balls around each [`BLOCK`] pieces in a row, so that not all need be asked.
+    /// Balls around each [`BLOCK`] pieces in a row, so that not all need be asked, and those pieces.
     blocks: Vec<Ball>,
+    lanes: Vec<Lanes>,
     /// How far the points inside are apart.
     pub(super) spacing: f64,
+}
+
+/// Pieces of a block side by side: x, y and z of each one's middle and of its three corners.
+struct Lanes([[f64; BLOCK]; 12]);
+
+impl Lanes {
+    /// At most [`BLOCK`] pieces; what is left of the lanes is nowhere.
+    fn new(middles: &[DVec3], shapes: &[[DVec3; 3]]) -> Self {
+        let mut lanes = [[f64::INFINITY; BLOCK]; 12];
+        for (k, (middle, [a, b, c])) in middles.iter().zip(shapes).enumerate() {
+            for (point, at) in [middle, a, b, c].into_iter().zip((0..12).step_by(3)) {
+                for axis in 0..3 {
+                    lanes[at + axis][k] = point[axis];
+                }
+            }
+        }
+        Self(lanes)
+    }
+
+    /// Of each piece the squared distance from a point to its middle, and to its farthest corner.
+    fn distances(&self, from: DVec3) -> [[f64; BLOCK]; 2] {
+        let [mx, my, mz, ax, ay, az, bx, by, bz, cx, cy, cz] = &self.0;
+        let [x, y, z] = from.to_array();
+        let squared = |px: f64, py: f64, pz: f64| {
+            let (px, py, pz) = (px - x, py - y, pz - z);
+            px * px + py * py + pz * pz
+        };
+        let mut all = [[0.0; BLOCK]; 2];
+        let [middles, corners] = &mut all;
+        for k in 0..BLOCK {
+            middles[k] = squared(mx[k], my[k], mz[k]);
+            let a = squared(ax[k], ay[k], az[k]);
+            let b = squared(bx[k], by[k], bz[k]);
+            let c = squared(cx[k], cy[k], cz[k]);
+            corners[k] = greater(greater(a, b), c);
+        }
+        all
+    }
+}
+
+/// The greatest square whose root, as it is rounded, is not above a radius.
+fn greatest_square(radius: f64) -> f64 {
+    // A few steps below to a few above.
+    let mut square = radius * radius * (1.0 - 2.0 * f64::EPSILON);
+    while square.is_finite() && square.next_up().sqrt() <= radius {
+        square = square.next_up();
+    }
+    square
 }
 
 impl Pieces {
@@ -87,12 +138,14 @@ impl Pieces {
         let mut pieces = Self {
             points: Vec::new(),
             corners: Vec::new(),
+            shapes: Vec::new(),
             middles: cut.iter().map(|[a, b, c]| (a + b + c) / 3.0).collect(),
             normals: cut
                 .iter()
                 .map(|[a, b, c]| (b - a).cross(c - a) * 0.5)
                 .collect(),
             blocks: Vec::new(),
+            lanes: Vec::new(),
             spacing,
         };
         let mut known = HashMap::new();
@@ -107,6 +160,9 @@ impl Pieces {
             }));
         }
         pieces.blocks = cut.chunks(BLOCK).map(around).collect();
+        let blocks = pieces.middles.chunks(BLOCK).zip(cut.chunks(BLOCK));
+        pieces.lanes = blocks.map(|(m, shapes)| Lanes::new(m, shapes)).collect();
+        pieces.shapes = cut;
         pieces
     }
 
@@ -123,20 +179,23 @@ impl Pieces {
 
     /// The corners of a piece.
     pub(crate) fn corners(&self, piece: u32) -> [DVec3; 3] {
-        self.corners[piece as usize].map(|i| self.points[i as usize])
+        self.shapes[piece as usize]
     }
 
     /// The corners of several pieces, each point once.
     pub(crate) fn points_of(&self, pieces: &[u32]) -> Vec<DVec3> {
-        let mut seen = vec![0_u64; self.points.len().div_ceil(64)];
-        let mut points = Vec::with_capacity(pieces.len());
-        for &i in pieces.iter().flat_map(|&i| &self.corners[i as usize]) {
-            let (word, bit) = (i as usize / 64, 1 << (i % 64));
-            if seen[word] & bit == 0 {
-                seen[word] |= bit;
-                points.push(self.points[i as usize]);
+        let mut seen = vec![false; self.points.len()];
+        // Whether a point is new is as good as chance: each is written, and the next one over it if it was not.
+        let mut points = vec![DVec3::ZERO; 3 * pieces.len()];
+        let mut count = 0;
+        for &piece in pieces {
+            for i in self.corners[piece as usize] {
+                let seen = &mut seen[i as usize];
+                points[count] = self.points[i as usize];
+                count += usize::from(!std::mem::replace(seen, true));
             }
         }
+        points.truncate(count);
         points
     }
 
@@ -144,16 +203,27 @@ impl Pieces {
     pub(crate) fn held(&self, ball: &Ball) -> Vec<u32> {
         let mut held = Vec::new();
         let squared = ball.radius * ball.radius;
-        for (k, block) in self.blocks.iter().enumerate() {
-            let distance = block.center.distance(ball.center);
+        let greatest = greatest_square(ball.radius);
+        for (k, (block, lanes)) in self.blocks.iter().zip(&self.lanes).enumerate() {
+            let distance = block.center.distance_squared(ball.center);
+            let reach = ball.radius + block.radius;
+            if distance > reach * reach * (1.0 + 1e-12) {
+                continue;
+            }
             let pieces = (k * BLOCK) as u32..((k + 1) * BLOCK).min(self.len()) as u32;
-            if distance + block.radius < ball.radius {
+            if distance.sqrt() + block.radius < ball.radius {
                 held.extend(pieces);
-            } else if distance - block.radius <= ball.radius {
-                held.extend(pieces.filter(|&piece| {
-                    self.middles[piece as usize].distance_squared(ball.center) <= squared
-                        && ball.holds(&self.corners(piece))
-                }));
+            } else {
+                // Which piece is held is as good as chance: each is written, and the next one over it if it was not.
+                let [middles, corners] = lanes.distances(ball.center);
+                let mut count = held.len();
+                held.resize(count + BLOCK, 0);
+                for (lane, piece) in (k * BLOCK..).take(BLOCK).enumerate() {
+                    held[count] = piece as u32;
+                    let holds = (middles[lane] <= squared) & (corners[lane] <= greatest);
+                    count += usize::from(holds);
+                }
+                held.truncate(count);
             }
         }
         held
@@ -273,6 +343,16 @@ mod tests {
         let triangles: Vec<[u32; 3]> = (0..200).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
         let pieces = cut(&points, &triangles, 1000).len();
         assert!(pieces > 1000 && pieces < 16_000, "{pieces}");
+    }
+
+    #[test]
+    fn squares_are_told_apart_as_their_roots_are() {
+        for k in 1..2000 {
+            let radius = (f64::from(k) * 0.618_034).fract() * 10.0_f64.powi(k % 60 - 30);
+            let greatest = greatest_square(radius);
+            assert!(greatest.sqrt() <= radius && greatest.next_up().sqrt() > radius);
+        }
+        assert_eq!(greatest_square(0.0), 0.0);
     }
 
     #[test]

@@ -6,7 +6,7 @@
 //! points that stand out in some direction; a point that is missed by that is added, and the search goes on.
 
 use super::proof::Ball;
-use super::solid::{Disc, Solid};
+use super::solid::{Disc, Solid, greater};
 use glam::DVec3;
 
 /// A ball with its volume outside the solid.
@@ -79,13 +79,18 @@ impl Placing<'_> {
             best = cheaper(best, self.price(active, start));
         }
         let mut step = 0.3 * size.min(best.1.radius);
+        // Where the search has come from, which is dearer.
+        let mut left = None;
         for _ in 0..10 {
             while step > finest * size {
                 let before = best.0;
                 let center = best.1.center;
                 for offset in [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| axis * step) {
-                    best = cheaper(best, self.price(active, center + offset));
-                    best = cheaper(best, self.price(active, center - offset));
+                    for place in [center + offset, center - offset] {
+                        if Some(place) != left {
+                            best = cheaper(best, self.price(active, place));
+                        }
+                    }
                 }
                 // The radius has a crease wherever two points are equally far. Along it no axis need lead down, but
                 // the way to the middle of the points that are nearly farthest does.
@@ -94,6 +99,8 @@ impl Placing<'_> {
                 best = cheaper(best, self.price(active, center + inward * step));
                 if best.0 >= before {
                     step *= 0.5;
+                } else {
+                    left = Some(center);
                 }
             }
             let missed = farthest(points, best.1.center);
@@ -101,6 +108,7 @@ impl Placing<'_> {
                 return best.1;
             }
             active.push(missed);
+            left = None;
             best = self.price(active, best.1.center);
             step = 0.05 * size;
         }
@@ -139,7 +147,7 @@ fn around(points: &[DVec3], center: DVec3) -> Ball {
     let squared = points
         .iter()
         .map(|p| p.distance_squared(center))
-        .fold(0.0, f64::max);
+        .fold(0.0, greater);
     Ball {
         center,
         radius: squared.sqrt(),

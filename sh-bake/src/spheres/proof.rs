@@ -3,6 +3,7 @@
 //! A triangle lies in a ball if its three corners do, because a ball is convex. So a set of balls covers a
 //! triangle if the triangle can be cut into pieces each of which has its corners in one ball.
 
+use super::solid::greater;
 use glam::DVec3;
 
 /// A ball: centre and radius.
@@ -20,8 +21,8 @@ impl Ball {
 
     /// The radius that the ball needs to hold the triangle.
     pub(crate) fn needs(&self, corners: &[DVec3; 3]) -> f64 {
-        let squared = corners.map(|p| p.distance_squared(self.center));
-        squared[0].max(squared[1]).max(squared[2]).sqrt()
+        let [a, b, c] = corners.map(|p| p.distance_squared(self.center));
+        greater(greater(a, b), c).sqrt()
     }
 }
 

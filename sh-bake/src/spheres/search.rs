@@ -17,11 +17,13 @@
 //! without any move that could lose its order, because a grid of spheres is hard to beat where the body is a box.
 
 use super::fit::Fit;
+use super::flood::Neighbours;
 use super::pieces::Pieces;
 use super::place::{Priced, total};
 use super::proof::Ball;
 use super::random::Random;
 use super::solid::{Disc, Solid};
+use super::start::Beginning;
 use super::state::State;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -76,10 +78,16 @@ pub(super) fn fit(
         (balls.iter().map(outside).sum::<f64>(), balls)
     };
     let search = Fit::new(pieces, solid, Disc::new(40));
-    let mut sets: Vec<(f64, Vec<Ball>)> = (0..starts)
-        .into_par_iter()
-        .map(|start| rated(search.from(start, count, &steps)))
-        .collect();
+    let neighbours = search.neighbours();
+    let (scattered, halved) = rayon::join(
+        || search.scattered(count),
+        || (starts > 1).then(|| search.halved_often(count)),
+    );
+    let from = |start: usize| {
+        let beginning = halved.as_ref().filter(|_| start > 0).unwrap_or(&scattered);
+        rated(search.from(start, beginning, &neighbours, &steps))
+    };
+    let mut sets: Vec<(f64, Vec<Ball>)> = (0..starts).into_par_iter().map(from).collect();
     let least = sets.iter().map(|(e, _)| *e).fold(f64::INFINITY, f64::min);
     sets.retain(|(e, _)| *e <= (1.0 + HOPE) * least);
 
@@ -108,23 +116,25 @@ pub(super) fn fit(
 
 impl Fit<'_> {
     /// A search from one of the beginnings.
-    fn from(&self, start: usize, count: usize, steps: &Steps) -> Vec<Ball> {
-        let clusters = if start == 0 {
-            self.scattered(count)
-        } else {
-            self.halved_often(count)
-        };
+    fn from(
+        &self,
+        start: usize,
+        beginning: &Beginning,
+        neighbours: &Neighbours,
+        steps: &Steps,
+    ) -> Vec<Ball> {
+        let Beginning {
+            mut clusters,
+            mut balls,
+        } = beginning.clone();
+        let count = balls.len();
         let moving = start < 2 && count > 1;
-        let place = |pieces: &Vec<u32>, old| self.place(pieces, old, true);
-        let mut balls: Vec<Priced> = clusters.iter().map(|pieces| place(pieces, None)).collect();
-        let mut clusters = clusters;
-        let neighbours = self.neighbours();
         for _ in 0..if moving { CLUSTERINGS } else { 0 } {
-            clusters = self.flood(&clusters, &balls, &neighbours);
+            clusters = self.flood(&clusters, &balls, neighbours);
             let next: Vec<Priced> = clusters
-                .iter()
+                .par_iter()
                 .zip(&balls)
-                .map(|(pieces, old)| place(pieces, Some(old.ball)))
+                .map(|(pieces, old)| self.place(pieces, Some(old.ball), true))
                 .collect();
             let falls = total(&next) < 0.97 * total(&balls);
             if total(&next) < total(&balls) {

@@ -1,24 +1,33 @@
 //! How a search begins: clusters of pieces, from which the first balls are made.
 
 use super::fit::Fit;
-use super::place::farthest;
+use super::place::{Priced, farthest};
 use glam::DVec3;
 use rayon::prelude::*;
+
+/// Clusters of pieces, and a ball about each.
+#[derive(Clone)]
+pub(super) struct Beginning {
+    pub(super) clusters: Vec<Vec<u32>>,
+    pub(super) balls: Vec<Priced>,
+}
 
 impl Fit<'_> {
     /// Clusters by halving: of the clusters the one whose ball has most volume outside is cut across its longest
     /// side, until there are `count`.
-    pub(super) fn halved_often(&self, count: usize) -> Vec<Vec<u32>> {
-        let rated = |pieces: Vec<u32>| (self.place(&pieces, None, true).outside, pieces);
+    pub(super) fn halved_often(&self, count: usize) -> Beginning {
+        let rated = |pieces: Vec<u32>| (self.place(&pieces, None, true), pieces);
         let mut clusters = vec![rated((0..self.pieces.len() as u32).collect())];
         while clusters.len() < count {
             let many = (0..clusters.len()).filter(|&i| clusters[i].1.len() > 1);
-            let worst = many.max_by(|&a, &b| clusters[a].0.total_cmp(&clusters[b].0));
+            let worst =
+                many.max_by(|&a, &b| clusters[a].0.outside.total_cmp(&clusters[b].0.outside));
             let Some(worst) = worst else { break };
             let (_, pieces) = clusters.swap_remove(worst);
             clusters.extend(self.cut_across(pieces).map(rated));
         }
-        clusters.into_iter().map(|(_, pieces)| pieces).collect()
+        let (balls, clusters) = clusters.into_iter().unzip();
+        Beginning { clusters, balls }
     }
 
     /// Pieces on either side of the middle of their longest extent; neither side is empty where there are two.
@@ -43,7 +52,7 @@ impl Fit<'_> {
 
     /// Clusters about seeds as far from each other as can be, after a few rounds of k-means over the middles of the
     /// pieces.
-    pub(super) fn scattered(&self, count: usize) -> Vec<Vec<u32>> {
+    pub(super) fn scattered(&self, count: usize) -> Beginning {
         let middles = &self.pieces.middles;
         let middle = middles.iter().sum::<DVec3>() / middles.len() as f64;
         let mut centers = vec![farthest(middles, middle)];
@@ -70,7 +79,9 @@ impl Fit<'_> {
                 }
             }
         }
-        clusters
+        let place = |pieces: &Vec<u32>| self.place(pieces, None, true);
+        let balls = clusters.par_iter().map(place).collect();
+        Beginning { clusters, balls }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The balls of a fit while it is being improved, with what each holds; changes can be taken back.
 
+use super::memory::Memory;
 use super::pieces::Pieces;
 use super::place::{Priced, total};
 use super::proof::Ball;
@@ -14,6 +15,8 @@ pub(super) struct State<'a> {
     holders: Vec<u32>,
     /// What balls were before they were changed, and what they held.
     journal: Vec<(usize, Priced, Vec<u32>)>,
+    /// How balls were placed anew.
+    pub(super) memory: Memory,
 }
 
 impl<'a> State<'a> {
@@ -25,6 +28,7 @@ impl<'a> State<'a> {
         }
         Self {
             pieces,
+            memory: Memory::new(balls.len()),
             balls,
             held,
             holders,
