@@ -14,7 +14,7 @@ use std::path::Path;
 const FLOORS: [&str; 6] = ["error", "lanes", "device", "passes", "store", "run"];
 
 /// Modules whose children are in a circle, and why they still are.
-const KNOWN: [(&str, &str, &str); 16] = [
+const KNOWN: [(&str, &str, &str); 15] = [
     (
         "sh-core",
         "convention",
@@ -44,11 +44,6 @@ const KNOWN: [(&str, &str, &str); 16] = [
         "sh-scene",
         "plan",
         "passes, checks and schedules are about the plan, which calls them",
-    ),
-    (
-        "sh-scene",
-        "surface",
-        "the table of directions is as long as the samples say, which are found by it",
     ),
     (
         "sh-gpu",
