@@ -394,7 +394,7 @@ fn infinite_samples_are_counted_where_somebody_asks() {
     assert_eq!(counted(&scene, &plan), Some(InvalidSamples::default()));
 
     let lamp = AreaLight::distant(Vec3::Y, 1.5, [3e38; 3]);
-    scene.lights = vec![lamp.clone(), lamp];
+    scene.lights = vec![lamp, lamp];
     let frame = render(&scene, &plan, size, &|_| {}).unwrap();
     let [(_, counts)] = &frame.given[..] else {
         panic!("one thing was asked for");

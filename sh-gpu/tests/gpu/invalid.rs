@@ -151,7 +151,7 @@ pub fn a_frame_counts_where_somebody_asks(gpu: &Gpu) {
     assert_eq!(rendered(&scene, &plan).as_ref(), Some(expected));
 
     let lamp = AreaLight::distant(Vec3::Y, 1.5, [3e38; 3]);
-    scene.lights = vec![lamp.clone(), lamp];
+    scene.lights = vec![lamp, lamp];
     let plan = Plan::giving(&scene, &[INVALID_SAMPLES]);
     let counts = rendered(&scene, &plan).unwrap();
     let invalid = counts.iter().map(|[nan, infinite, ..]| nan + infinite);
