@@ -44,6 +44,9 @@ pub struct Comparison {
     pub indirect_ground: Option<Figures>,
     /// As `total` where the ground reflects too.
     pub total_ground: Option<Figures>,
+    /// The picture with light at half resolution against the one whose samples are all shaded, in parts of the latter's
+    /// mean where bodies and ground are; none where the scene has no light at half resolution. All others are without it.
+    pub half_resolution: Option<Figures>,
     /// Seconds of the passes.
     pub seconds_ours: f64,
     /// Seconds of the path tracer.

@@ -5,11 +5,13 @@
 //! | `view` | one receiver a pixel |
 //! | `ours` | their light by the passes |
 //! | `twice` | their light by the path tracer, in two independent halves |
+//! | `half` | what half resolution gives away |
 //! | `measure` | figures of the difference |
 //! | `balls`, `pictures`, `sheet` | the spheres, and all pictures on one sheet |
 
 pub mod balls;
 mod comparison;
+mod half;
 mod measure;
 pub mod ours;
 pub mod pictures;
@@ -104,6 +106,7 @@ pub fn compare(options: &Options) -> Result<Comparison, Error> {
         emission,
     } = ours::ours(&scene, &seen)?;
     let seconds_ours = start.elapsed().as_secs_f64();
+    let half_resolution = half::half(&scene, &seen)?;
 
     progress.say("tracing paths");
     let start = Instant::now();
@@ -155,6 +158,7 @@ pub fn compare(options: &Options) -> Result<Comparison, Error> {
         direct_ground: grounded.map(|[direct, ..]| direct),
         indirect_ground: grounded.map(|[_, indirect, _]| indirect),
         total_ground: grounded.map(|[.., total]| total),
+        half_resolution,
         seconds_ours,
         seconds_truth,
         sheet: options.out.clone(),

@@ -80,6 +80,21 @@ pub(super) fn table(comparison: &Comparison) -> String {
             );
         }
     }
+    if let Some(Figures {
+        rms,
+        mean,
+        p99,
+        bias,
+        ..
+    }) = comparison.half_resolution
+    {
+        let [rms, mean, p99, bias] = [rms, mean, p99, bias].map(|f| 100.0 * f);
+        let _ = write!(
+            text,
+            "\n\nHalf resolution, which the table is without, against all samples, in parts of the picture's mean: \
+             RMS {rms:.2} %, mean {mean:.2} %, 99th percentile {p99:.2} %, bias {bias:+.2} %."
+        );
+    }
     if let Some(sheet) = &comparison.sheet {
         let _ = write!(text, "\n\nThe pictures are in {}.", sheet.display());
     }

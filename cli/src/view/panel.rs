@@ -231,7 +231,8 @@ fn indirect(ui: &mut Ui, state: &mut State) {
 
 fn overlays(ui: &mut Ui, state: &mut State) {
     title(ui, "Overlay");
-    ui.horizontal(|ui| {
+    // One row of them is wider than the panel, which would grow into the picture.
+    ui.horizontal_wrapped(|ui| {
         let all = Overlay::ALL.map(|o| (o, o.name().to_string(), String::new()));
         if let Some(overlay) = choice(ui, Some(state.overlay), all) {
             state.overlay = overlay;

@@ -135,6 +135,12 @@ fn a_comparison_tells_its_figures_and_draws_its_sheet() {
     let usual = ["compare", &scene, "--size", "48x32", "--reference", "64"];
     let text = success(&[&usual[..], &["--json", "-o", &out]].concat());
     let found: Value = serde_json::from_str(&text).expect("JSON");
+    // Interpolated light errs, but by little: without it there is nothing to tell.
+    let half = |found: &Value| found["half_resolution"]["rms"].as_f64();
+    let rms = half(&found).expect("scenes are lit at half resolution");
+    assert!(rms > 1e-5 && rms < 0.02, "{rms}");
+    let whole = success(&[&usual[..], &["--json", "--half-resolution", "off"]].concat());
+    assert_eq!(half(&serde_json::from_str(&whole).expect("JSON")), None);
     let figure = |kind: &str, name: &str| {
         let value = found[kind][name].as_f64();
         value.unwrap_or_else(|| panic!("no {kind}.{name} in {text}"))
