@@ -139,7 +139,11 @@ fn a_comparison_tells_its_figures_and_draws_its_sheet() {
     let half = |found: &Value| found["half_resolution"]["rms"].as_f64();
     let rms = half(&found).expect("scenes are lit at half resolution");
     assert!(rms > 1e-5 && rms < 0.02, "{rms}");
-    let whole = success(&[&usual[..], &["--json", "--half-resolution", "off"]].concat());
+    let text_of = std::fs::read_to_string(&scene).expect("it was written");
+    let whole = format!("{text_of}[settings]\nhalf_resolution = false\n");
+    let whole = folder.put("whole.toml", whole);
+    let few = ["--size", "16x12", "--reference", "2", "--json"];
+    let whole = success(&[&["compare", &whole], &few[..]].concat());
     assert_eq!(half(&serde_json::from_str(&whole).expect("JSON")), None);
     let figure = |kind: &str, name: &str| {
         let value = found[kind][name].as_f64();
