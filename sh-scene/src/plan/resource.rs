@@ -84,8 +84,8 @@ pub struct Resource {
 }
 
 impl Resource {
-    /// Something that passes make, with an element for each of a domain or of each set of receivers; `bytes` an element, in
-    /// a buffer of its name, which is also what kernels call it.
+    /// Something that passes make, with an element for each of a domain, or of each set of receivers where that is none; and
+    /// on a GPU: bytes an element, in a buffer of its own, and what kernels call it.
     pub const fn made(
         name: &'static str,
         element: &'static str,
