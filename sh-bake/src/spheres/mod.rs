@@ -41,7 +41,7 @@ pub struct SphereSet {
 impl SphereSet {
     /// Fits at most `count` spheres (at least one) to the triangles of `meshes` together, which must share
     /// one space. The same input gives the same spheres, whatever the number of threads. Takes about a second
-    /// for 64 spheres on two cores; a mesh without triangles has no spheres. Reads and writes no file.
+    /// and a half for 64 spheres on two cores; a mesh without triangles has no spheres. Reads and writes no file.
     ///
     /// ```
     /// use sh_bake::{SphereSet, shapes};
