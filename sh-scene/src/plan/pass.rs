@@ -10,7 +10,8 @@ pub struct Pass {
     pub name: &'static str,
     /// What it reads and writes where it runs over a domain.
     pub slots: fn(Domain) -> Vec<Slot>,
-    /// Where a scene wants it to run, and why; or why there is no work for it, in a sentence.
+    /// Where a scene wants it to run, and why; or why there is no work for it, in a sentence. No runs:
+    /// nobody asked for it, which is nothing that a scene does without.
     pub wanted: fn(&Facts) -> Result<Vec<Run>, String>,
     /// The pipelines that it needs on a GPU.
     pub entries: fn(&Facts) -> Vec<Entry>,
