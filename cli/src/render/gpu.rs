@@ -5,7 +5,7 @@ use crate::Error;
 use crate::gpu::{Gpu, Stamps};
 use crate::report::Times;
 use sh_gpu::Renderer;
-use sh_scene::resource::{Given, PICTURE};
+use sh_scene::resource::Given;
 use sh_scene::{Resource, Scene, Tracker};
 use std::time::Instant;
 use wgpu::Buffer;
@@ -35,10 +35,8 @@ impl Painter {
             staging: gpu.staging(renderer.picture().size()),
             besides: shot
                 .plan
-                .gives
-                .iter()
-                .filter(|(given, _)| *given != PICTURE)
-                .filter_map(|(given, _)| Some((*given, renderer.given(*given)?.size())))
+                .besides()
+                .filter_map(|given| Some((given, renderer.given(given)?.size())))
                 .map(|(given, size)| (given, gpu.staging(size)))
                 .collect(),
             renderer,

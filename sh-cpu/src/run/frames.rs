@@ -231,13 +231,13 @@ impl Frames {
                 })?;
                 self.hierarchy = Some(Arc::clone(geometry.hierarchy()));
                 let pixels = view.width as usize * view.height as usize;
-                let besides = plan.gives.iter().filter(|(given, _)| *given != PICTURE);
                 Some(Camera {
                     view,
                     geometry,
                     pixels: vec![[0.0; 3]; pixels],
-                    given: besides
-                        .map(|(given, _)| (*given, vec![[0; 4]; pixels]))
+                    given: plan
+                        .besides()
+                        .map(|given| (given, vec![[0; 4]; pixels]))
                         .collect(),
                 })
             }

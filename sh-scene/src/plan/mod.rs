@@ -86,7 +86,7 @@ pub struct Plan {
     pub passes: Vec<Planned>,
     /// What this scene does without: nothing is computed, set aside or compiled for it.
     pub left_out: Vec<LeftOut>,
-    /// What comes out of it: what it is for, and whatever was asked for besides.
+    /// What comes out of it: what it is for first, then whatever was asked for besides.
     pub gives: Vec<(Resource, Domain)>,
     /// The pipelines that the passes are made of on a GPU, each once.
     pub shaders: Vec<Shader>,
@@ -150,6 +150,11 @@ impl Plan {
             left_out,
             passes,
         }
+    }
+
+    /// What comes out of it beside what it is for.
+    pub fn besides(&self) -> impl Iterator<Item = Resource> {
+        self.gives.iter().skip(1).map(|(resource, _)| *resource)
     }
 
     /// Whether any pass looks at blockers: without one there is no tree of them.
