@@ -58,8 +58,9 @@ fn turned(v: vec3f, q: vec4f) -> vec3f {
     return v + q.w * across + cross(q.xyz, across);
 }
 
-// Of each receiver: red, green, blue, 0.
+// Light that reaches each point by itself, and what bodies have sent it in the bounce before: red, green, blue, 0.
 @group(1) @binding(0) var<storage, read> radiance: array<vec4f>;
+@group(1) @binding(1) var<storage, read> gathered: array<vec4f>;
 
 // And what can be seen.
 const CHANNELS: u32 = 4u;
@@ -69,7 +70,7 @@ var<workgroup> vector: array<array<f32, $C>, CHANNELS>;
 
 // What a point sends on. Its albedo is already what its cell reflects.
 fn sent(point: u32) -> vec3f {
-    let all = points[point].albedo * radiance[point].rgb;
+    let all = points[point].albedo * (radiance[point].rgb + gathered[point].rgb);
     return bounded(all, all);
 }
 

@@ -3,7 +3,8 @@
 use crate::device::cut::Cuts;
 use crate::device::geometry::Geometry;
 use crate::device::light_cuts::LightCuts;
-use crate::device::spherical_lights::SphericalLights;
+use crate::device::spherical_lights::{Points, SphericalLights};
+use crate::lanes::path::Path;
 use crate::passes::gbuffer::Gbuffer;
 use crate::passes::upsample::{Failed, Halves};
 use sh_scene::resource::Given;
@@ -17,8 +18,6 @@ pub(crate) struct Store<'a, 's> {
     pub sets: Sets<'a>,
     /// What a camera sees; none where receivers are the caller's.
     pub camera: Option<Camera<'a>>,
-    /// Whether what spheres send on is not what it was.
-    pub relit: bool,
 }
 
 /// A camera and its picture.
@@ -43,6 +42,7 @@ pub(crate) struct Sets<'a> {
     pub brought: &'a [Receiver],
     pub brought_clusters: &'a [Range<usize>],
     pub brought_sent: Vec<[f32; 3]>,
+    pub points: Points,
 }
 
 /// One set of receivers.
@@ -58,6 +58,7 @@ impl Sets<'_> {
     /// The receivers of a domain.
     pub fn of(&mut self, domain: Domain) -> Set<'_> {
         match domain {
+            Domain::Points => self.points.set(),
             Domain::Halves => Set {
                 receivers: &self.halves.receivers,
                 clusters: &self.half_clusters,
@@ -87,6 +88,18 @@ impl Sets<'_> {
     }
 }
 
+impl Points {
+    /// As receivers.
+    pub fn set(&mut self) -> Set<'_> {
+        Set {
+            receivers: &self.receivers,
+            clusters: &self.clusters,
+            radiance: &mut self.radiance,
+            sent: Some(&mut self.sent),
+        }
+    }
+}
+
 impl Set<'_> {
     /// Radiance of every receiver, to be written.
     pub fn room(&mut self) -> &mut [[f32; 3]] {
@@ -97,6 +110,7 @@ impl Set<'_> {
 
 /// The spheres, the light on them and what they send on; with what is counted.
 pub(crate) struct Spheres<'a> {
+    pub path: Path,
     pub forest: &'a Forest,
     pub light: &'a Light,
     pub settings: Settings,

@@ -5,11 +5,11 @@ mod common;
 use common::{Random, light_of, receiver};
 use glam::{Affine3A, Quat, Vec3, vec3};
 use sh_cpu::{
-    Body, CutOptions, Cuts, LightCutOptions, LightCuts, LightGather, LightUpdate, Path, Shadow,
+    CutOptions, Cuts, LightCutOptions, LightCuts, LightGather, LightUpdate, Path, Shadow,
     SphericalLights, light_gather, shadow_clusters,
 };
 use sh_scene::surface::{SurfacePoint, SurfaceSamples, directions};
-use sh_scene::{Blocking, Forest, Indirect, Light, Limits, Receiver, Sphere};
+use sh_scene::{Blocking, Body, Forest, Indirect, Light, Limits, Receiver, Sphere};
 
 /// A ball, or several spheres, whose surface reflects evenly.
 struct Ball {

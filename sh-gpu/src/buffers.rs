@@ -8,7 +8,7 @@ use sh_scene::{Domain, Plan, Resource, Tiles};
 use std::borrow::Cow;
 use wgpu::{Buffer, BufferBinding, BufferSize, BufferUsages, Device};
 
-/// One band's samples, the whole picture at half resolution where there is one, and what there is of all pixels. The list
+/// Surface points, one band's samples, the whole picture at half resolution where there is one, and what there is of all pixels. The list
 /// that upsampling leaves is the upsample pass's own.
 #[derive(Debug)]
 pub(crate) struct Buffers(Vec<Held>);
@@ -32,6 +32,7 @@ impl Buffers {
         plan: &Plan,
         bands: &Bands,
         halves: Option<&Bands>,
+        points: u64,
     ) -> Result<Self, Error> {
         let most = device.limits().max_buffer_size;
         let mut all: Vec<Held> = Vec::new();
@@ -42,7 +43,8 @@ impl Buffers {
         });
         for (maker, (resource, at)) in made {
             let held = all.iter().any(|held| held.is(resource, at));
-            let Some(count) = elements(resource, at, bands, halves).filter(|_| !held) else {
+            let count = elements(resource, at, (bands, halves, points));
+            let Some(count) = count.filter(|_| !held) else {
                 continue;
             };
             let size = count * resource.bytes;
@@ -99,6 +101,7 @@ impl Buffers {
                 let (offset, size) = bands.picture_range(band);
                 (offset / PIXEL, size / PIXEL)
             }
+            Domain::Points => (0, held.buffer.size() / held.stride),
             // There is one band at a time.
             _ => (0, bands.receivers(band)),
         };
@@ -146,9 +149,14 @@ impl Held {
 const PIXEL: u64 = 16;
 
 /// How many elements a buffer of a resource has; none where it is none of these.
-fn elements(resource: Resource, at: Domain, bands: &Bands, halves: Option<&Bands>) -> Option<u64> {
+fn elements(
+    resource: Resource,
+    at: Domain,
+    (bands, halves, points): (&Bands, Option<&Bands>, u64),
+) -> Option<u64> {
     let all = |bands: &Bands, of: &dyn Fn(u32) -> u64| (0..bands.count()).map(of).sum::<u64>();
     let count = match at {
+        Domain::Points => points.max(1),
         Domain::Samples => {
             let one = bands.receivers(0);
             match halves {
@@ -176,6 +184,7 @@ fn usage(at: Domain) -> BufferUsages {
 fn name(memory: &'static str, at: Domain) -> Cow<'static, str> {
     match at {
         Domain::Halves => format!("half_{memory}").into(),
+        Domain::Points => format!("point_{memory}").into(),
         _ => memory.into(),
     }
 }

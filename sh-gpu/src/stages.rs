@@ -2,13 +2,14 @@
 
 use crate::buffers::Buffers;
 use crate::plain::Plain;
+use crate::surfaces::Surfaces;
 use crate::{
     Bands, Bodies, Bound, Drawn, Error, GbufferPass, HalfBinding, IrradiancePass, LightGatherPass,
-    LightUpdatePass, Pipelines, ResolvePass, RestBinding, ShadowOptions, ShadowPass, Shining,
-    UpsampleBound, UpsamplePass,
+    Pipelines, ResolvePass, RestBinding, ShadowOptions, ShadowPass, UpsampleBound, UpsamplePass,
 };
 use sh_scene::passes::{
-    GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, RESOLVE, SCATTER, SHADOW, SHARES, UPSAMPLE,
+    GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, POINTS, RESOLVE, SCATTER, SHADOW, SHARES,
+    UPSAMPLE,
 };
 use sh_scene::resource::{ALBEDO, EMISSION, PICTURE, RADIANCE, RECEIVERS, SENT, SHARE, UPSAMPLED};
 use sh_scene::{Domain, Pass, Plan, Planned, Resource, Scene};
@@ -20,16 +21,23 @@ use wgpu::{Buffer, BufferBinding, CommandEncoder, ComputePassTimestampWrites, De
 pub(crate) struct Stage {
     pub pass: &'static Pass,
     pub at: Domain,
+    /// How often a frame records it.
+    pub turns: usize,
     pub work: Work,
 }
 
 /// A pass and what it is bound to, band by band. Those that several passes of a plan share are one.
 #[derive(Debug)]
 pub(crate) enum Work {
+    Points {
+        surfaces: Arc<Surfaces>,
+        bound: Bound,
+        /// What is cleared: light that bodies have sent.
+        sent: Buffer,
+    },
     LightUpdate {
-        pass: Box<LightUpdatePass>,
-        shadow: Arc<ShadowPass>,
-        gather: Arc<LightGatherPass>,
+        surfaces: Arc<Surfaces>,
+        bound: Bound,
     },
     Gbuffer {
         pass: GbufferPass,
@@ -46,7 +54,7 @@ pub(crate) enum Work {
     LightGather {
         pass: Arc<LightGatherPass>,
         bound: Vec<Bound>,
-        /// What has to be cleared before the first band.
+        /// What has to be cleared before the first band, or in every turn.
         cleared: Option<Buffer>,
     },
     Shares {
@@ -76,8 +84,8 @@ pub(crate) struct Recording<'a> {
     /// Which of them; 0 where the stage has none.
     pub band: u32,
     pub bodies: &'a Bodies,
-    /// Whether what spheres send on has been recorded as it is now.
-    pub sent: bool,
+    /// Whether what it makes is on the device as it would be made.
+    pub kept: bool,
     /// The queries of begin and end.
     pub stamps: Option<(&'a wgpu::QuerySet, [u32; 2])>,
 }
@@ -89,7 +97,7 @@ impl Stage {
             bands,
             band,
             bodies,
-            sent,
+            kept,
             stamps,
         } = recording;
         let writes = stamps.map(|(query_set, [begin, end])| ComputePassTimestampWrites {
@@ -97,23 +105,29 @@ impl Stage {
             beginning_of_pass_write_index: Some(begin),
             end_of_pass_write_index: Some(end),
         });
+        if kept {
+            // Timestamps are written all the same: whoever reads them waits for them.
+            if writes.is_some() {
+                encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+                    label: Some("gaunt pass, unchanged"),
+                    timestamp_writes: writes,
+                });
+            }
+            return;
+        }
         let at = band as usize;
         match &self.work {
-            Work::LightUpdate {
-                pass,
-                shadow,
-                gather,
-            } => match (sent, writes) {
-                (false, writes) => pass.record(encoder, shadow, gather, writes),
-                // Nothing has changed. Timestamps are written all the same: whoever reads them waits for them.
-                (true, Some(writes)) => {
-                    encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
-                        label: Some("gaunt light_update, unchanged"),
-                        timestamp_writes: Some(writes),
-                    });
-                }
-                (true, None) => {}
-            },
+            Work::Points {
+                surfaces,
+                bound,
+                sent,
+            } => {
+                encoder.clear_buffer(sent, 0, None);
+                surfaces.record_points(encoder, bound, writes);
+            }
+            Work::LightUpdate { surfaces, bound } => {
+                surfaces.record_update(encoder, bound, writes);
+            }
             Work::Gbuffer { pass, bound } => {
                 pass.record(encoder, bands, band, bodies, &bound[at], stamps);
             }
@@ -146,8 +160,9 @@ impl Stage {
     /// How many dispatches and draws a frame records; `drawn` is what is drawn of a band.
     pub fn dispatches(&self, drawn: usize) -> usize {
         let all = |bounds: &[Bound]| bounds.iter().map(Bound::dispatches).sum::<usize>();
-        match &self.work {
-            Work::LightUpdate { pass, .. } => pass.dispatches(),
+        let once = match &self.work {
+            Work::Points { bound, .. } => bound.dispatches(),
+            Work::LightUpdate { surfaces, bound } => surfaces.update_dispatches(bound),
             Work::Gbuffer { bound, .. } => all(bound) + bound.len() * drawn,
             Work::Irradiance { bound, .. }
             | Work::Shadow { bound, .. }
@@ -160,13 +175,13 @@ impl Stage {
                 let bands = bound.iter().map(UpsampleBound::scatter_dispatches);
                 bands.sum()
             }
-        }
+        };
+        once * self.turns
     }
 
     /// Bytes that have been uploaded for it alone since it was made.
     pub fn uploaded(&self) -> u64 {
         match &self.work {
-            Work::LightUpdate { pass, .. } => pass.uploaded(),
             Work::Irradiance { pass, .. } => pass.uploaded(),
             _ => 0,
         }
@@ -175,7 +190,7 @@ impl Stage {
     /// Bytes of GPU memory of a pass that this stage owns; those that several stages share are not counted.
     pub fn bytes(&self) -> Option<u64> {
         Some(match &self.work {
-            Work::LightUpdate { pass, .. } => pass.bytes(),
+            Work::Points { surfaces, .. } => surfaces.bytes(),
             Work::Gbuffer { pass, .. } => pass.bytes(),
             Work::Irradiance { pass, .. } => pass.bytes(),
             Work::Resolve { pass, .. } => pass.bytes(),
@@ -196,13 +211,15 @@ pub(crate) struct Setup<'a> {
     pub shadow: Option<&'a Arc<ShadowPass>>,
     pub gather: Option<&'a Arc<LightGatherPass>>,
     pub upsample: Option<&'a Arc<UpsamplePass>>,
+    pub surfaces: Option<&'a Arc<Surfaces>>,
 }
 
 /// How a pass of the table is made.
 type Make = fn(&Setup, Domain) -> Result<Work, Error>;
 
 /// Those that are more than a kernel over buffers of the frame; all others are [`Plain`].
-static MAKERS: [(&Pass, Make); 9] = [
+static MAKERS: [(&Pass, Make); 10] = [
+    (&POINTS, points),
     (&LIGHT_UPDATE, light_update),
     (&GBUFFER, gbuffer),
     (&IRRADIANCE, irradiance),
@@ -267,6 +284,7 @@ impl Setup<'_> {
         Ok(Stage {
             pass: planned.pass,
             at: planned.at,
+            turns: planned.turns.len(),
             work,
         })
     }
@@ -330,6 +348,25 @@ impl Setup<'_> {
         shared(self.shadow, "shadow")
     }
 
+    fn surfaces(&self) -> Result<Arc<Surfaces>, Error> {
+        shared(self.surfaces, "points")
+    }
+
+    /// Points of surfaces, in clusters, and something of each.
+    fn points(
+        &self,
+        written: Resource,
+        bind: impl Fn(&Device, RestBinding<'_>) -> Result<Bound, Error>,
+    ) -> Result<Vec<Bound>, Error> {
+        let (surfaces, at) = (self.surfaces()?, Domain::Points);
+        let points = RestBinding {
+            receivers: self.part(RECEIVERS, at, 0)?,
+            clusters: surfaces.clusters(),
+            radiance: self.part(written, at, 0)?,
+        };
+        Ok(vec![bind(self.device, points)?])
+    }
+
     fn gather(&self) -> Result<Arc<LightGatherPass>, Error> {
         shared(self.gather, "light_gather")
     }
@@ -349,14 +386,21 @@ const NO_HALVES: Error = Error::NoPass {
 };
 
 fn light_update(setup: &Setup, _: Domain) -> Result<Work, Error> {
-    let bodies = setup.scene.objects.iter().map(Shining::from);
-    let bounces = setup.scene.settings.indirect.unwrap_or_default().bounces;
-    let (shadow, gather) = (setup.shadow()?, setup.gather()?);
-    let pass = LightUpdatePass::new(setup.device, setup.queue, &shadow, &gather, bodies, bounces)?;
-    Ok(Work::LightUpdate {
-        pass: Box::new(pass),
-        shadow,
-        gather,
+    let surfaces = setup.surfaces()?;
+    let light = |what| setup.part(what, Domain::Points, 0);
+    let bound = surfaces.bind_update(setup.device, [light(RADIANCE)?, light(SENT)?])?;
+    Ok(Work::LightUpdate { surfaces, bound })
+}
+
+fn points(setup: &Setup, at: Domain) -> Result<Work, Error> {
+    let surfaces = setup.surfaces()?;
+    let sent = setup.buffers.get(SENT, at).cloned();
+    Ok(Work::Points {
+        bound: surfaces.bind_points(setup.device, setup.part(RECEIVERS, at, 0)?)?,
+        sent: sent.ok_or(Error::NoResource {
+            resource: SENT.name,
+        })?,
+        surfaces,
     })
 }
 
@@ -390,10 +434,12 @@ fn irradiance(setup: &Setup, at: Domain) -> Result<Work, Error> {
 
 fn shadow(setup: &Setup, at: Domain) -> Result<Work, Error> {
     let pass = setup.shadow()?;
+    let clustered = |device: &Device, rest: RestBinding<'_>| {
+        pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
+    };
     let bound = match at {
-        Domain::Rest => setup.rest(|device, rest| {
-            pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
-        })?,
+        Domain::Points => setup.points(RADIANCE, clustered)?,
+        Domain::Rest => setup.rest(clustered)?,
         _ => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
             pass.bind(device, receivers, radiance)
         })?,
@@ -403,7 +449,14 @@ fn shadow(setup: &Setup, at: Domain) -> Result<Work, Error> {
 
 fn light_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
     let (pass, mut cleared) = (setup.gather()?, None);
+    let clustered = |device: &Device, rest: RestBinding<'_>| {
+        pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
+    };
     let bound = match at {
+        Domain::Points => {
+            cleared = setup.buffers.get(SENT, at).cloned();
+            setup.points(SENT, clustered)?
+        }
         // What is sent is interpolated apart from the light that blockers leave a share of.
         Domain::Halves => {
             cleared = setup.buffers.get(SENT, at).cloned();
@@ -411,9 +464,7 @@ fn light_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
                 pass.bind(device, receivers, sent)
             })?
         }
-        Domain::Rest => setup.rest(|device, rest| {
-            pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
-        })?,
+        Domain::Rest => setup.rest(clustered)?,
         _ => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
             pass.bind(device, receivers, radiance)
         })?,

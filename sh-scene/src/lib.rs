@@ -14,6 +14,7 @@
 //! ```
 
 mod blockers;
+mod body;
 mod camera;
 mod clusters;
 mod distribution;
@@ -36,6 +37,7 @@ mod tracker;
 pub mod upsample;
 
 pub use blockers::{Blocker, Bounds, Forest, Limits, NEGLIGIBLE, Node, Side};
+pub use body::Body;
 pub use camera::{Camera, Grid, Tiles, View};
 pub use clusters::Clusters;
 pub use distribution::Distribution;

@@ -1,10 +1,9 @@
 //! A plan on the CPU.
 
-use super::measured::{FRAMES, Idle, Measured, idle, median, middle_and_spread, pose};
+use super::measured::{FRAMES, Idle, Measured, idle, kept, median, middle_and_spread, pose};
 use crate::Error;
 use sh_bake::Loaded;
 use sh_cpu::Frames;
-use sh_scene::passes::LIGHT_UPDATE;
 use sh_scene::{Plan, View};
 use std::time::Instant;
 
@@ -27,13 +26,9 @@ pub(super) fn measure(loaded: &mut Loaded, plan: &Plan, view: &View) -> Result<M
     }
     let nodes = frames.nodes();
     let mut all = idle(&loaded.scene, plan, &last.changes, nodes);
+    let tasks: Vec<u64> = last.work.iter().map(|work| work.tasks).collect();
+    all.extend(kept(plan, &tasks));
     let mut add = |name, reason| all.push(Idle { name, reason });
-    let update = plan.passes.iter().zip(&last.work);
-    let mut update = update.filter(|(pass, _)| pass.is(&LIGHT_UPDATE));
-    if update.any(|(_, work)| work.tasks == 0) {
-        let reason = "No body moved and no light changed: spheres send on what they did before.";
-        add("light_update", reason.into());
-    }
     if last.too_small > 0 {
         let count = last.too_small;
         add(
@@ -49,7 +44,7 @@ pub(super) fn measure(loaded: &mut Loaded, plan: &Plan, view: &View) -> Result<M
         );
     }
     Ok(Measured {
-        dispatches: last.work.iter().map(|work| work.tasks).collect(),
+        dispatches: tasks,
         ms: times.into_iter().map(median).collect(),
         frame_ms: middle_and_spread(whole),
         memory: last.buffers,

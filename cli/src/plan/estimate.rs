@@ -8,7 +8,8 @@ use crate::ops;
 use glam::Vec3;
 use sh_cpu::{Path, lane_count, multiply_adds_per_second};
 use sh_scene::plan::Units;
-use sh_scene::{Domain, Forest, Grid, Plan, Planned, Scene, View};
+use sh_scene::surface::DIRECTIONS;
+use sh_scene::{Domain, Forest, Grid, Object, Plan, Planned, Scene, View};
 
 /// Places at which cuts are counted.
 const PLACES: usize = 64;
@@ -27,12 +28,10 @@ pub(super) fn of(plan: &Plan, scene: &Scene, view: &View) -> Vec<f64> {
     let threads = rayon::current_num_threads() as f64;
     let path = Path::best();
     let rate = multiply_adds_per_second(path) * lane_share(path) * SHARE;
-    let spheres: usize = scene.objects.iter().map(|o| o.spheres.len()).sum();
-    let spheres = spheres as f64;
-    let units = units(plan, scene, spheres);
+    let units = units(plan, scene);
     let passes = plan.passes.iter();
     passes
-        .map(|planned| seconds(planned, &units, view, spheres, rate) * 1e3 / threads)
+        .map(|planned| seconds(planned, &units, scene, view, rate) * 1e3 / threads)
         .collect()
 }
 
@@ -42,7 +41,7 @@ fn lane_share(path: Path) -> f64 {
 }
 
 /// What parts of a receiver's work cost in this scene.
-fn units(plan: &Plan, scene: &Scene, spheres: f64) -> Units {
+fn units(plan: &Plan, scene: &Scene) -> Units {
     let settings = scene.settings;
     let (order, accumulation) = (settings.order, settings.accumulation);
     let counts = ops::counts();
@@ -62,31 +61,32 @@ fn units(plan: &Plan, scene: &Scene, spheres: f64) -> Units {
     };
     let blocker = of("accumulate_blocker", accumulation) + 30.0;
     let exponential = of("transfer", accumulation) + of("accumulated_log", accumulation);
-    let points: usize = scene.objects.iter().map(|o| o.surface.points.len()).sum();
     Units {
         open: light,
         shadow: light + exponential + blockers * blocker,
         gather: blockers * (of("ball_average", order) + 3.0 * coefficients + 8.0 * HIDER),
-        points: points as f64 / spheres.max(1.0),
-        bounces: scene
-            .settings
-            .indirect
-            .map_or(0.0, |i| f64::from(i.bounces)),
+        send: 3.0 * (DIRECTIONS as f64 * coefficients + of("rotate", order)),
     }
 }
 
 /// Seconds of a pass on one thread that does `rate` multiply-adds a second.
-fn seconds(planned: &Planned, units: &Units, view: &View, spheres: f64, rate: f64) -> f64 {
+fn seconds(planned: &Planned, units: &Units, scene: &Scene, view: &View, rate: f64) -> f64 {
+    let of_objects = |count: &dyn Fn(&Object) -> usize| -> f64 {
+        let counts = scene.objects.iter().map(count);
+        counts.sum::<usize>() as f64
+    };
     let cells = |grid: Grid| f64::from(grid.columns) * f64::from(grid.rows);
     let elements = match planned.at {
         Domain::Scene => 1.0,
-        Domain::Spheres => spheres,
+        Domain::Points => of_objects(&|o| o.surface.points.len()),
+        Domain::Spheres => of_objects(&|o| o.spheres.len()),
         Domain::Halves => cells(view.halves()),
         Domain::Receivers | Domain::Samples | Domain::Pixels => cells(view.samples()),
         Domain::Rest => ANEW * cells(view.samples()),
     };
     let cost = (planned.pass.cost)(units);
-    elements * (cost.nanoseconds * 1e-9 + cost.multiply_adds / rate)
+    let turns = planned.turns.len() as f64;
+    turns * elements * (cost.nanoseconds * 1e-9 + cost.multiply_adds / rate)
 }
 
 /// The mean size of a cut, at places above some of the spheres.

@@ -1,11 +1,10 @@
 //! A plan on the GPU.
 
-use super::measured::{FRAMES, Idle, Measured, idle, median, middle_and_spread, pose};
+use super::measured::{FRAMES, Idle, Measured, idle, kept, median, middle_and_spread, pose};
 use crate::Error;
 use crate::gpu::{Gpu, Stamps};
 use sh_bake::Loaded;
 use sh_gpu::Renderer;
-use sh_scene::passes::LIGHT_UPDATE;
 use sh_scene::{Plan, Tracker, View};
 use std::time::Instant;
 
@@ -82,19 +81,13 @@ pub(super) fn measure(
     let nodes = tracker.forest().nodes().len();
     let changes = tracker.changes().clone();
     let mut all = idle(&loaded.scene, plan, &changes, nodes);
-    for (dispatches, pass) in dispatches.iter().zip(&plan.passes) {
-        if pass.is(&LIGHT_UPDATE) && *dispatches == 0 {
-            let reason =
-                "No body moved and no light changed: spheres send on what they did before.";
-            let (name, reason) = ("light_update", reason.into());
-            all.push(Idle { name, reason });
-        }
-    }
+    let dispatches: Vec<u64> = dispatches.into_iter().map(|count| count as u64).collect();
+    all.extend(kept(plan, &dispatches));
     let reason = format!("Only what is different is uploaded: {uploaded} bytes a frame.");
     let name = "uploads";
     all.push(Idle { name, reason });
     Ok(Measured {
-        dispatches: dispatches.into_iter().map(|count| count as u64).collect(),
+        dispatches,
         ms: times.into_iter().map(median).collect(),
         frame_ms: middle_and_spread(whole),
         memory: renderer.buffers(),

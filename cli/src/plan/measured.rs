@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use sh_bake::Loaded;
+use sh_scene::passes::LIGHT_UPDATE;
 use sh_scene::{Changes, Plan, Scene};
 
 /// Frames that are timed: the median is told.
@@ -59,13 +60,24 @@ pub(super) fn median(mut values: Vec<f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
+/// That what spheres send on was no work, if it was none.
+pub(super) fn kept(plan: &Plan, tasks: &[u64]) -> Option<Idle> {
+    let mut passes = plan.passes.iter().zip(tasks);
+    let idle = passes.any(|(planned, tasks)| planned.is(&LIGHT_UPDATE) && *tasks == 0);
+    let reason = "No body moved and no light changed: spheres send on what they did before.";
+    idle.then(|| Idle {
+        name: LIGHT_UPDATE.name,
+        reason: reason.into(),
+    })
+}
+
 /// What of the tree and the light was no work.
 pub(super) fn idle(scene: &Scene, plan: &Plan, changes: &Changes, nodes: usize) -> Vec<Idle> {
     let mut all = Vec::new();
     let mut add = |name, reason| all.push(Idle { name, reason });
-    let shadows = plan.has(&sh_scene::passes::SHADOW);
+    let blocked = plan.is_blocked();
     let still = scene.objects.len().saturating_sub(changes.objects);
-    if shadows && still > 0 {
+    if blocked && still > 0 {
         let (objects, renewed) = (scene.objects.len(), changes.nodes);
         add(
             "blockers",

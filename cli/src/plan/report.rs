@@ -12,7 +12,7 @@ use std::fmt;
 pub struct Planned {
     /// Its name.
     pub name: &'static str,
-    /// What it computes an element for: samples, halves, pixels or spheres.
+    /// What it computes an element for: samples, halves, pixels, spheres or points.
     pub at: &'static str,
     /// A sentence.
     pub reason: String,

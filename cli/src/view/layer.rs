@@ -5,7 +5,7 @@ use crate::Error;
 use crate::compare::Seen;
 use egui::{Color32, ColorImage};
 use sh_cpu::{CutOptions, Cuts, Path};
-use sh_scene::passes::{self, INVALID_SAMPLES, InvalidSamples};
+use sh_scene::passes::{INVALID_SAMPLES, InvalidSamples};
 use sh_scene::resource::Given;
 use sh_scene::{Domain, Light, Plan, Scene, Tiles};
 use std::sync::Arc;
@@ -101,8 +101,8 @@ fn of_clusters(scene: &Scene, plan: &Plan, wish: &Wish) -> Result<Layer, Error> 
     } else {
         "Clusters of receivers"
     };
-    if !plan.has(&passes::SHADOW) {
-        let notes = vec!["No shadows: no receiver needs a cluster.".into()];
+    if !plan.is_blocked() {
+        let notes = vec!["Nothing looks at blockers: no receiver needs a cluster.".into()];
         return Ok(Layer {
             image: Arc::new(ColorImage::filled([1, 1], Color32::TRANSPARENT)),
             legend: Legend {

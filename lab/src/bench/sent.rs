@@ -5,10 +5,10 @@ use super::world::ORDER;
 use gaunt::Error;
 use glam::Affine3A;
 use sh_cpu::{
-    Body, CutOptions, LightCutOptions, LightCuts, LightGather, LightUpdate, Path, SphericalLights,
+    CutOptions, LightCutOptions, LightCuts, LightGather, LightUpdate, Path, SphericalLights,
     light_gather,
 };
-use sh_scene::{Forest, Indirect, Light, Limits, Receiver};
+use sh_scene::{Body, Forest, Indirect, Light, Limits, Receiver};
 use std::ops::Range;
 
 /// What sends light on, and what arrives of it.

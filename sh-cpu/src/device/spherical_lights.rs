@@ -11,19 +11,27 @@ use std::ops::Range;
 #[derive(Clone, Debug, Default)]
 pub struct SphericalLights {
     pub(crate) emission: Emission,
-    pub(crate) points: Points,
-    pub(crate) light_cuts: LightCuts,
+    pub(crate) room: Room,
 }
 
-/// Points of surfaces as receivers.
+/// What finding it takes, where no plan is worked off.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Room {
+    pub points: Points,
+    pub cuts: Cuts,
+    pub light_cuts: LightCuts,
+}
+
+/// Points of surfaces as receivers, with their light.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Points {
-    pub(crate) receivers: Vec<Receiver>,
+    pub receivers: Vec<Receiver>,
     /// Those of each sphere.
-    pub(crate) clusters: Vec<Range<usize>>,
-    pub(crate) cuts: Cuts,
-    pub(crate) direct: Vec<[f32; 3]>,
-    pub(crate) indirect: Vec<[f32; 3]>,
+    pub clusters: Vec<Range<usize>>,
+    /// Light that no body has sent.
+    pub radiance: Vec<[f32; 3]>,
+    /// Light that bodies have sent.
+    pub sent: Vec<[f32; 3]>,
 }
 
 impl SphericalLights {
@@ -43,9 +51,8 @@ impl SphericalLights {
         self.emission.brightest()
     }
 
-    /// Bytes of what nodes emit and of the points that light them.
+    /// Bytes of what nodes emit.
     pub(crate) fn bytes(&self) -> usize {
-        let lit = 2 * size_of_val(&self.points.direct[..]);
-        self.emission.bytes() + size_of_val(&self.points.receivers[..]) + lit
+        self.emission.bytes()
     }
 }

@@ -1,103 +1,206 @@
 //! The `light_update` pass: what every sphere of a body sends on (Guerrero et al. 2008, section 5).
 //!
-//! Points of the surface around a sphere are receivers like any others: the shadow pass lights them, all at once. Each
-//! sends on its radiance times the albedo of its direction's Voronoi cell, and the sum over all of them, in spherical
-//! harmonics, is what the sphere emits (equation 10), turned to world space. The paper leaves it as it is and turns the
-//! weights at every receiver; there are many more receivers than spheres.
+//! Each point of the surface around a sphere sends on its radiance times the albedo of its direction's Voronoi cell, and
+//! the sum over all of them, in spherical harmonics, is what the sphere emits (equation 10), turned to world space. The
+//! paper leaves it as it is and turns the weights at every receiver; there are many more receivers than spheres.
 //!
 //! A node of the forest that stands for several spheres emits their mean by cross-section; what is left between its light
 //! and theirs is made up for each cluster (section 7.3, [`crate::LightCuts`]).
-//!
-//! With several bounces the light that spheres send on is gathered at the points as well, once a bounce.
 
-mod body;
-mod emit;
-mod points;
-
-pub use body::Body;
-
-use super::light_gather::{LightGather, light_gather};
-use crate::device::cut::CutOptions;
-use crate::device::light_order::LightCutOptions;
-use crate::device::spherical_lights::{Points, SphericalLights};
+use crate::device::emission::Emission;
+use crate::device::spherical_lights::Points;
 use crate::error::Error;
-use crate::lanes::path::Path;
-use sh_scene::{Forest, Indirect, Light, Limits};
+use sh_core::{ROOT_FOUR_PI, Routines};
+use sh_scene::surface::{DIRECTIONS, SurfacePoint, cell_sums};
+use sh_scene::{Body, Forest, Node};
 
-/// How light is sent on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LightUpdate {
-    /// How often, and what hides what.
-    pub indirect: Indirect,
-    /// How coarse the spheres may be that shade and light the points.
-    pub limits: Limits,
-    /// The order of accumulation of the points' shadows, from the light's order to 6.
-    pub accumulation: usize,
+/// Finds what every node of `forest` sends on of the light on the `points` of all `bodies`, in this SH order.
+/// `within_bodies`: whether spheres of one body hide each other.
+///
+/// # Errors
+/// Where there is no such order, or the bodies do not have the forest's spheres.
+pub(crate) fn light_update<'a>(
+    points: &Points,
+    bodies: impl IntoIterator<Item = Body<'a>> + Clone,
+    forest: &Forest,
+    (order, within_bodies): (usize, bool),
+    emission: &mut Emission,
+) -> Result<(), Error> {
+    let counts = || bodies.clone().into_iter().map(|body| body.spheres);
+    let spheres: usize = counts().sum();
+    if spheres != forest.spheres() {
+        return Err(Error::Length {
+            buffer: "bodies",
+            expected: forest.spheres(),
+            found: spheres,
+        });
+    }
+    emission.order = order;
+    emission.own(counts(), forest);
+    emission.emit(points, bodies, forest, within_bodies)
 }
 
-impl SphericalLights {
-    /// Finds what every node of `forest` sends on of `light`, as everything stands now. The forest is that of all
-    /// `bodies`' spheres.
-    ///
-    /// # Errors
-    /// Where the light is none, or the bodies do not have the forest's spheres.
-    pub fn update<'a>(
+impl Emission {
+    /// Emission of all nodes from the points' radiance.
+    fn emit<'a>(
         &mut self,
-        path: Path,
-        bodies: impl IntoIterator<Item = Body<'a>> + Clone,
+        points: &Points,
+        bodies: impl IntoIterator<Item = Body<'a>>,
         forest: &Forest,
-        light: &Light,
-        update: LightUpdate,
+        within_bodies: bool,
     ) -> Result<(), Error> {
-        let spheres: usize = bodies.clone().into_iter().map(|body| body.spheres).sum();
-        if spheres != forest.spheres() {
-            return Err(Error::Length {
-                buffer: "bodies",
-                expected: forest.spheres(),
-                found: spheres,
-            });
-        }
-        self.emission.order = light.order;
-        self.points.place(bodies.clone());
-        self.emission
-            .own(bodies.clone().into_iter().map(|body| body.spheres), forest);
-        let cut = CutOptions {
-            limits: update.limits,
-            ratios: true,
-            accumulation: update.accumulation,
-        };
-        self.points.shade(path, forest, light, cut)?;
-        let within_bodies = update.indirect.blocking.within_bodies();
-        self.emission
-            .emit(&self.points, bodies.clone(), forest, within_bodies)?;
-        for _ in 1..update.indirect.bounces {
-            let mut cuts = std::mem::take(&mut self.light_cuts);
-            let mut points = std::mem::take(&mut self.points);
-            let Points {
-                receivers,
-                clusters,
-                indirect,
-                ..
-            } = &mut points;
-            let options = LightCutOptions {
-                cut: CutOptions {
-                    accumulation: light.order,
-                    ..cut
-                },
-                blocking: update.indirect.blocking,
-            };
-            cuts.find(path, receivers, clusters, forest, self, options);
-            let gather = LightGather {
-                clusters,
-                cuts: &cuts,
-                lights: self,
-            };
-            let gathered = light_gather(path, receivers, &gather, indirect);
-            (self.light_cuts, self.points) = (cuts, points);
-            gathered?;
-            self.emission
-                .emit(&self.points, bodies.clone(), forest, within_bodies)?;
+        match self.order {
+            2 => self.emit_in::<4>(points, bodies, forest, within_bodies),
+            3 => self.emit_in::<9>(points, bodies, forest, within_bodies),
+            4 => self.emit_in::<16>(points, bodies, forest, within_bodies),
+            5 => self.emit_in::<25>(points, bodies, forest, within_bodies),
+            6 => self.emit_in::<36>(points, bodies, forest, within_bodies),
+            order => return Err(Error::Order { order }),
         }
         Ok(())
+    }
+
+    fn emit_in<'a, const C: usize>(
+        &mut self,
+        points: &Points,
+        bodies: impl IntoIterator<Item = Body<'a>>,
+        forest: &Forest,
+        within_bodies: bool,
+    ) where
+        [f32; C]: Routines<f32>,
+    {
+        let nodes = forest.nodes();
+        self.coefficients.clear();
+        self.coefficients.resize(nodes.len() * C, [0.0; 3]);
+        self.exposed.clear();
+        self.exposed.resize(nodes.len() * C, 0.0);
+        self.brightest.clear();
+        self.brightest.resize(nodes.len(), [0.0; 3]);
+        self.emit_spheres::<C>(points, bodies, within_bodies);
+        for (at, node) in nodes.iter().enumerate().rev() {
+            if !node.is_leaf(at) {
+                self.emit_mean::<C>(at, nodes);
+            }
+        }
+        self.most = self.brightest.first().copied().unwrap_or_default();
+    }
+
+    /// What each sphere emits: found in object space, and turned.
+    fn emit_spheres<'a, const C: usize>(
+        &mut self,
+        points: &Points,
+        bodies: impl IntoIterator<Item = Body<'a>>,
+        within_bodies: bool,
+    ) where
+        [f32; C]: Routines<f32>,
+    {
+        let mut leaves = self.leaves.iter();
+        let mut lit = points.radiance.iter().zip(&points.sent);
+        for body in bodies {
+            let turn = body.turn();
+            for sphere in 0..body.spheres {
+                let sent = Sent::of(body.surface.of(sphere), &mut lit, within_bodies);
+                let vector = sent.vector::<C>(body.surface.stands(sphere, within_bodies));
+                let turn = body.frame(turn, sphere).to_array();
+                let [red, green, blue] = vector.map(|v| v.rotate(turn));
+                let Some(node) = leaves.next().map(|&node| node as usize) else {
+                    continue;
+                };
+                let all = body.surface.exposed(sphere, within_bodies);
+                // Those of a lower order come first.
+                let seen: [f32; C] = std::array::from_fn(|i| all[i]);
+                self.exposed[node * C..][..C].copy_from_slice(&seen.rotate(turn));
+                self.brightest[node] = sent.brightest;
+                for (i, out) in self.coefficients[node * C..][..C].iter_mut().enumerate() {
+                    *out = [red[i], green[i], blue[i]];
+                }
+            }
+        }
+    }
+
+    /// What a node emits that stands for several: the mean of its children by their cross-sections, of a sphere as much as
+    /// its body leaves to be seen of it.
+    fn emit_mean<const C: usize>(&mut self, at: usize, nodes: &[Node]) {
+        let (above, below) = self.coefficients.split_at_mut((at + 1) * C);
+        let own = &mut above[at * C..];
+        for child in children(at, nodes) {
+            let share = if nodes[at].area > 0.0 {
+                // In the mean over all directions.
+                let seen = match nodes[child].is_leaf(child) {
+                    true => self.exposed[child * C] / ROOT_FOUR_PI as f32,
+                    false => 1.0,
+                };
+                nodes[child].area / nodes[at].area * seen
+            } else {
+                0.0
+            };
+            for (own, from) in own.iter_mut().zip(&below[(child - at - 1) * C..][..C]) {
+                for (own, from) in own.iter_mut().zip(from) {
+                    *own += share * from;
+                }
+            }
+            let below = self.brightest[child];
+            for (most, c) in self.brightest[at].iter_mut().zip(below) {
+                *most = most.max(c);
+            }
+        }
+    }
+}
+
+/// The nodes directly below one.
+fn children(at: usize, nodes: &[Node]) -> impl Iterator<Item = usize> {
+    let end = nodes[at].skip as usize;
+    let first = Some(at + 1).filter(|&child| child < end);
+    std::iter::successors(first, move |&child| {
+        Some(nodes[child].skip as usize).filter(|&next| next < end)
+    })
+}
+
+/// What the points of a sphere send on.
+struct Sent {
+    points: [[f32; 3]; DIRECTIONS],
+    /// The most that any of them does.
+    brightest: [f32; 3],
+}
+
+impl Sent {
+    /// `lit` tells the light on each point: what no body and what bodies have sent.
+    fn of<'p>(
+        points: &[SurfacePoint],
+        lit: &mut impl Iterator<Item = (&'p [f32; 3], &'p [f32; 3])>,
+        within_bodies: bool,
+    ) -> Self {
+        let mut sent = Self {
+            points: [[0.0; 3]; DIRECTIONS],
+            brightest: [0.0; 3],
+        };
+        for (i, (point, (direct, indirect))) in points.iter().zip(lit).enumerate() {
+            let reflected = point.reflectance(within_bodies);
+            let of_point: [f32; 3] =
+                std::array::from_fn(|k| (reflected[k] * (direct[k] + indirect[k])).max(0.0));
+            for (most, sent) in sent.brightest.iter_mut().zip(of_point) {
+                *most = most.max(sent);
+            }
+            if let Some(slot) = sent.points.get_mut(i) {
+                *slot = of_point;
+            }
+        }
+        sent
+    }
+
+    /// As SH vectors: each direction's cell is as bright as the point that `stands` for it, and dark where none does.
+    fn vector<const C: usize>(&self, stands: [u8; DIRECTIONS]) -> [[f32; C]; 3] {
+        let mut vector = [[0.0; C]; 3];
+        for (cell, point) in cell_sums().iter().zip(stands) {
+            let Some(sent) = self.points.get(usize::from(point)) else {
+                continue;
+            };
+            for (vector, sent) in vector.iter_mut().zip(sent) {
+                for (v, y) in vector.iter_mut().zip(cell) {
+                    *v += sent * y;
+                }
+            }
+        }
+        vector
     }
 }

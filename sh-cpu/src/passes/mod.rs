@@ -5,6 +5,7 @@ pub(crate) mod invalid;
 pub(crate) mod irradiance;
 pub(crate) mod light_gather;
 pub(crate) mod light_update;
+pub(crate) mod points;
 pub(crate) mod resolve;
 pub(crate) mod scatter;
 pub(crate) mod shadow;

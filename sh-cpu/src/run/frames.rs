@@ -6,8 +6,9 @@ use crate::device::check::{check_environment, check_view};
 use crate::device::cut::Cuts;
 use crate::device::geometry::{Geometry, Hierarchy};
 use crate::device::light_cuts::LightCuts;
-use crate::device::spherical_lights::SphericalLights;
+use crate::device::spherical_lights::{Points, SphericalLights};
 use crate::error::Error;
+use crate::lanes::path::Path;
 use crate::store::{Camera, Counts, Sets, Spheres, Store};
 use sh_scene::passes::LIGHT_UPDATE;
 use sh_scene::resource::{Given, PICTURE, RADIANCE};
@@ -82,6 +83,8 @@ pub struct Frames {
     cuts: Cuts,
     light_cuts: LightCuts,
     lights: SphericalLights,
+    /// The surface points that they were found with.
+    points: Points,
     /// The settings that `lights` were found with, if they were.
     lit: Option<Settings>,
 }
@@ -250,10 +253,12 @@ impl Frames {
         let sends = plan.has(&LIGHT_UPDATE);
         let surfaces = sends && self.tracker.resurface(scene);
         let same = self.tracker.changes().none() && !surfaces;
-        let relit = !same || self.lit != Some(scene.settings);
+        // What spheres send on is what it was.
+        let kept = same && self.lit == Some(scene.settings);
         let mut store = Store {
             scene,
             spheres: Spheres {
+                path: Path::best(),
                 forest: self.tracker.forest(),
                 light: &light,
                 settings: scene.settings,
@@ -262,13 +267,18 @@ impl Frames {
                 light_cuts: &mut self.light_cuts,
                 counts: Counts::default(),
             },
-            sets,
+            sets: Sets {
+                points: std::mem::take(&mut self.points),
+                ..sets
+            },
             camera,
-            relit,
         };
         let bands = store.camera.as_ref().map_or(0, Camera::bands);
         for Step { pass, part } in plan.steps(1, bands) {
             let planned = &plan.passes[pass];
+            if kept && planned.at.is_kept() {
+                continue;
+            }
             let run = twin(planned.pass)?.run;
             ledger.pass(pass, |tasks| {
                 run(&mut store, planned.at, part.band(), &mut stages).map(|count| *tasks = count)
@@ -282,7 +292,8 @@ impl Frames {
                 ledger.holds(pass, name, bytes);
             }
         }
-        let (counts, camera, sets) = (store.spheres.counts, store.camera, store.sets);
+        let (counts, camera, mut sets) = (store.spheres.counts, store.camera, store.sets);
+        self.points = std::mem::take(&mut sets.points);
         self.lit = sends.then_some(scene.settings);
         let done = Done {
             stages,

@@ -3,12 +3,13 @@
 use super::work::Stages;
 use crate::device::cut::CutOptions;
 use crate::device::light_order::LightCutOptions;
+use crate::device::spherical_lights::Points;
 use crate::error::Error;
-use crate::lanes::path::Path;
 use crate::passes::light_gather::{LightGather, light_gather};
+use crate::passes::light_update::light_update;
 use crate::passes::shadow::{Shadow, shadow_clusters};
 use crate::store::{Set, Spheres};
-use sh_scene::Settings;
+use sh_scene::{Body, Settings};
 
 impl Spheres<'_> {
     /// Light through the visibility of all blockers.
@@ -28,7 +29,7 @@ impl Spheres<'_> {
         stages.time("cut", || {
             cuts.bound(receivers, clusters, 0..clusters.len());
             cuts.dim(self.light);
-            cuts.find(Path::best(), forest, self.light, options);
+            cuts.find(self.path, forest, self.light, options);
         });
         self.counts.pairs += cuts.pairs();
         self.counts.shadowed += cuts.receivers();
@@ -42,7 +43,7 @@ impl Spheres<'_> {
             baked: None,
         };
         stages.time("shadow", || {
-            shadow_clusters(Path::best(), receivers, &shadow, set.room())
+            shadow_clusters(self.path, receivers, &shadow, set.room())
         })
     }
 
@@ -67,7 +68,7 @@ impl Spheres<'_> {
             blocking: indirect.unwrap_or_default().blocking,
         };
         let (receivers, clusters) = (set.receivers, set.clusters);
-        let (path, cuts, lights) = (Path::best(), &mut *self.light_cuts, &*self.lights);
+        let (path, cuts, lights) = (self.path, &mut *self.light_cuts, &*self.lights);
         stages.time("light_cut", || {
             cuts.find(path, receivers, clusters, self.forest, lights, options);
         });
@@ -81,5 +82,16 @@ impl Spheres<'_> {
             light_gather(path, receivers, &gather, &mut sent)
         })?;
         Ok(sent)
+    }
+
+    /// What spheres send on of the light on these points.
+    pub(super) fn update<'a>(
+        &mut self,
+        points: &Points,
+        bodies: impl IntoIterator<Item = Body<'a>> + Clone,
+    ) -> Result<(), Error> {
+        let indirect = self.settings.indirect.unwrap_or_default();
+        let how = (self.light.order, indirect.blocking.within_bodies());
+        light_update(points, bodies, self.forest, how, &mut self.lights.emission)
     }
 }

@@ -2,21 +2,20 @@
 
 use super::work::Stages;
 use crate::error::Error;
-use crate::lanes::path::Path;
 use crate::passes::gbuffer::gbuffer;
 use crate::passes::invalid::invalid;
 use crate::passes::irradiance::irradiance;
-use crate::passes::light_update::{Body, LightUpdate};
+use crate::passes::points::place;
 use crate::passes::resolve::resolve;
 use crate::passes::scatter::scatter;
 use crate::passes::shares::shares;
 use crate::passes::upsample::upsample;
 use crate::store::{Camera, Store};
 use sh_scene::passes::{
-    GBUFFER, INVALID, INVALID_SAMPLES, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, RESOLVE, SCATTER,
-    SHADOW, SHARES, UPSAMPLE,
+    GBUFFER, INVALID, INVALID_SAMPLES, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, POINTS, RESOLVE,
+    SCATTER, SHADOW, SHARES, UPSAMPLE,
 };
-use sh_scene::{Domain, Pass, Tiles, View};
+use sh_scene::{Body, Domain, Pass, Tiles, View};
 
 /// A pass of the table on the CPU.
 pub(super) struct Twin {
@@ -28,10 +27,29 @@ pub(super) struct Twin {
 }
 
 /// All of them.
-static TWINS: [Twin; 10] = [
+static TWINS: [Twin; 11] = [
+    Twin {
+        pass: &POINTS,
+        run: |store, _, _, stages| {
+            let bodies = store.scene.objects.iter().map(Body::from);
+            let points = &mut store.sets.points;
+            stages.time("points", || place(bodies, points));
+            Ok(points.clusters.len() as u64)
+        },
+        memory: |store, _| {
+            let points = &store.sets.points;
+            let bytes = bytes(&points.receivers) + bytes(&points.sent);
+            vec![("points of surfaces", bytes)]
+        },
+    },
     Twin {
         pass: &LIGHT_UPDATE,
-        run: light_update,
+        run: |store, _, _, stages| {
+            let bodies = store.scene.objects.iter().map(Body::from);
+            let (spheres, points) = (&mut store.spheres, &store.sets.points);
+            stages.time("light_update", || spheres.update(points, bodies))?;
+            Ok(spheres.forest.spheres() as u64)
+        },
         memory: |store, _| vec![("what spheres send on", store.spheres.lights.bytes())],
     },
     Twin {
@@ -76,8 +94,13 @@ static TWINS: [Twin; 10] = [
         },
         memory: |store, at| {
             let mut all = vec![radiance(store, at)];
-            // What all of them share.
-            if at != Domain::Rest {
+            // What all of them share, once.
+            let shares = match at {
+                Domain::Rest => false,
+                Domain::Points => !store.scene.settings.shadows,
+                _ => true,
+            };
+            if shares {
                 let nodes = size_of_val(store.spheres.forest.nodes());
                 all.push(("tree of blockers", nodes));
                 all.push(("cuts", store.spheres.cuts.bytes()));
@@ -101,6 +124,7 @@ static TWINS: [Twin; 10] = [
             let name = match at {
                 Domain::Halves => "light sent, at half resolution",
                 Domain::Rest => "light sent to the rest of a band",
+                Domain::Points => return Vec::new(),
                 _ => "light sent to a band",
             };
             vec![(name, count * size_of::<[f32; 3]>())]
@@ -215,25 +239,6 @@ pub(super) fn twin(pass: &Pass) -> Result<&'static Twin, Error> {
     found.ok_or(Error::NoTwin { pass: pass.name })
 }
 
-fn light_update(store: &mut Store, _: Domain, _: u32, stages: &mut Stages) -> Result<u64, Error> {
-    if !store.relit {
-        return Ok(0);
-    }
-    let spheres = &mut store.spheres;
-    let update = LightUpdate {
-        indirect: spheres.settings.indirect.unwrap_or_default(),
-        limits: spheres.settings.limits,
-        accumulation: spheres.settings.accumulation,
-    };
-    let bodies = store.scene.objects.iter().map(Body::from);
-    let (forest, light) = (spheres.forest, spheres.light);
-    stages.time("light_update", || {
-        let lights = &mut spheres.lights;
-        lights.update(Path::best(), bodies, forest, light, update)
-    })?;
-    Ok(u64::from(update.indirect.bounces) * forest.spheres() as u64)
-}
-
 fn see(store: &mut Store, at: Domain, band: u32, stages: &mut Stages) -> Result<u64, Error> {
     let camera = camera(&mut store.camera)?;
     let (view, sets) = (camera.view, &mut store.sets);
@@ -270,6 +275,7 @@ fn radiance(store: &mut Store, at: Domain) -> (&'static str, usize) {
     let name = match at {
         Domain::Halves => "radiance at half resolution",
         Domain::Rest => "radiance of the rest of a band",
+        Domain::Points => "light on points of surfaces",
         _ => "radiance of a band",
     };
     (name, room(store.sets.of(at).radiance))

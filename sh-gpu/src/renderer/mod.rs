@@ -5,10 +5,11 @@ mod told;
 
 use crate::buffers::Buffers;
 use crate::stages::{Recording, Setup, Stage, Work, sends, shadow_pass};
-use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, ShadowPass, Shining, UpsamplePass};
+use crate::surfaces::Surfaces;
+use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, ShadowPass, UpsamplePass};
 use sent::Sent;
 use sh_scene::resource::PICTURE;
-use sh_scene::{Domain, EnvironmentMap, Forest, Light, Plan, Resource, Scene, Step, View};
+use sh_scene::{Body, Domain, EnvironmentMap, Forest, Light, Plan, Resource, Scene, Step, View};
 use std::sync::Arc;
 use wgpu::{Buffer, CommandEncoder, Device, QuerySet, Queue};
 
@@ -48,6 +49,7 @@ pub struct Renderer {
     shadow: Option<Arc<ShadowPass>>,
     gather: Option<Arc<LightGatherPass>>,
     upsample: Option<Arc<UpsamplePass>>,
+    surfaces: Option<Arc<Surfaces>>,
     stages: Vec<Stage>,
     /// The plan: what is recorded, in order.
     steps: Vec<Step>,
@@ -122,7 +124,16 @@ impl Renderer {
             }
             _ => None,
         };
-        let buffers = Buffers::new(device, plan, &bands, halves.as_ref())?;
+        let surfaces = match (&shadow, &gather) {
+            (Some(shadow), Some(gather)) => {
+                let bodies = scene.objects.iter().map(Body::from);
+                let surfaces = Surfaces::new(device, queue, shadow, gather, bodies)?;
+                Some(Arc::new(surfaces))
+            }
+            _ => None,
+        };
+        let points = scene.objects.iter().map(|o| Body::from(o).points() as u64);
+        let buffers = Buffers::new(device, plan, &bands, halves.as_ref(), points.sum())?;
         let setup = Setup {
             device,
             pipelines,
@@ -133,6 +144,7 @@ impl Renderer {
             shadow: shadow.as_ref(),
             gather: gather.as_ref(),
             upsample: upsample.as_ref(),
+            surfaces: surfaces.as_ref(),
             buffers: &buffers,
         };
         let stages = plan.passes.iter().map(|planned| setup.stage(planned));
@@ -157,6 +169,7 @@ impl Renderer {
             shadow,
             gather,
             upsample,
+            surfaces,
         })
     }
 
@@ -190,13 +203,12 @@ impl Renderer {
             let spheres = scene.objects.iter().map(|object| object.spheres.len());
             gather.prepare(queue, blockers, spheres)?;
         }
+        if let Some(surfaces) = &self.surfaces {
+            surfaces.prepare(queue, scene.objects.iter().map(Body::from), blockers)?;
+        }
         for stage in &self.stages {
-            match &stage.work {
-                Work::Irradiance { pass, .. } => pass.prepare(queue, light)?,
-                Work::LightUpdate { pass, .. } => {
-                    pass.prepare(queue, scene.objects.iter().map(Shining::from), blockers)?;
-                }
-                _ => {}
+            if let Work::Irradiance { pass, .. } = &stage.work {
+                pass.prepare(queue, light)?;
             }
         }
         if self.lights_uploaded() != before {
@@ -209,13 +221,11 @@ impl Renderer {
     /// scene that bends.
     pub fn update_meshes(&self, queue: &Queue, scene: &Scene) -> Result<(), Error> {
         self.bodies.update_meshes(queue, scene)?;
-        for stage in &self.stages {
-            if let Work::LightUpdate { pass, .. } = &stage.work {
-                let before = pass.uploaded();
-                pass.update_surfaces(queue, scene.objects.iter().map(Shining::from))?;
-                if pass.uploaded() != before {
-                    self.sent.change();
-                }
+        if let Some(surfaces) = &self.surfaces {
+            let before = surfaces.uploaded();
+            surfaces.update_surfaces(queue, scene.objects.iter().map(Body::from))?;
+            if surfaces.uploaded() != before {
+                self.sent.change();
             }
         }
         Ok(())
@@ -284,10 +294,7 @@ impl Renderer {
             bands,
             band: part.band(),
             bodies: &self.bodies,
-            sent: match stage.work {
-                Work::LightUpdate { .. } => !self.sent.record(),
-                _ => false,
-            },
+            kept: stage.at.is_kept() && !self.sent.record(),
             stamps,
         };
         stage.record(encoder, recording);

@@ -1,7 +1,7 @@
 //! What a renderer tells of itself: memory, pipelines, dispatches, uploads and times.
 
 use super::Renderer;
-use crate::stages::{Stage, Work};
+use crate::stages::Stage;
 use crate::{Bands, Pipelines};
 use sh_scene::passes::{LIGHT_GATHER, SHADOW, UPSAMPLE};
 use sh_scene::resource::RECEIVERS;
@@ -13,7 +13,8 @@ impl Renderer {
     pub(super) fn lights_uploaded(&self) -> u64 {
         let shadow = self.shadow.as_ref().map_or(0, |pass| pass.uploaded());
         let gather = self.gather.as_ref().map_or(0, |pass| pass.uploaded());
-        shadow + gather + self.stages.iter().map(Stage::uploaded).sum::<u64>()
+        let surfaces = self.surfaces.as_ref().map_or(0, |s| s.uploaded());
+        shadow + gather + surfaces + self.stages.iter().map(Stage::uploaded).sum::<u64>()
     }
 
     /// Bytes that [`prepare`](Self::prepare) has uploaded since the renderer was made. A frame that is like the one before
@@ -36,12 +37,12 @@ impl Renderer {
     }
 
     /// How many dispatches and draws [`record`](Self::record) would record now for each pass of the plan, in its order:
-    /// none for `light_update` where nothing has changed since it was submitted.
+    /// none for those that find what spheres send on, where nothing has changed since they were submitted.
     pub fn dispatches(&self) -> Vec<usize> {
         let sent = self.sent.is_current();
-        let of = |stage: &Stage| match stage.work {
-            Work::LightUpdate { .. } if sent => 0,
-            _ => stage.dispatches(self.drawn),
+        let of = |stage: &Stage| match stage.at.is_kept() && sent {
+            true => 0,
+            false => stage.dispatches(self.drawn),
         };
         self.stages.iter().map(of).collect()
     }

@@ -5,10 +5,12 @@ use crate::scenes::{Numbers, ball_and_quad, bouncing, lamps, standing_quad, view
 use crate::shading::shadow;
 use sh_gpu::{
     Bands, Bodies, ClusterBinding, Error, IrradiancePass, LightGatherPass, LightUpdatePass,
-    Renderer, ResolvePass, ShadowOptions, ShadowPass, Shining,
+    Renderer, ResolvePass, ShadowOptions, ShadowPass,
 };
 use sh_scene::surface::SurfacePoint;
-use sh_scene::{Blocking, Domain, EnvironmentMap, Forest, Limits, Plan, Receiver, Scene, View};
+use sh_scene::{
+    Blocking, Body, Domain, EnvironmentMap, Forest, Limits, Plan, Receiver, Scene, View,
+};
 use wgpu::{BufferBinding, BufferSize, BufferUsages};
 
 fn part(buffer: &wgpu::Buffer, offset: u64, size: u64) -> BufferBinding<'_> {
@@ -302,7 +304,7 @@ pub fn lights_that_do_not_fit_are_an_error(gpu: &Gpu) {
     );
 
     let mut objects = scene.objects.clone();
-    let all = objects.iter().map(Shining::from);
+    let all = objects.iter().map(Body::from);
     let update = LightUpdatePass::new(device, queue, &shadow, &gather, all.clone(), 1).unwrap();
     update.prepare(queue, all.clone(), &forest).unwrap();
     says(
@@ -321,7 +323,7 @@ pub fn lights_that_do_not_fit_are_an_error(gpu: &Gpu) {
         "the bodies have 43 spheres with {} surface points, but the pass was made for 42 with {known}",
         known + 1
     );
-    let more = objects.iter().map(Shining::from);
+    let more = objects.iter().map(Body::from);
     says(update.prepare(queue, more.clone(), &forest), &sentence);
     says(update.update_surfaces(queue, more), &sentence);
 }

@@ -5,13 +5,12 @@ use crate::parity::{clustered, compare};
 use crate::scenes::{Numbers, standing_quad, surface};
 use glam::{Affine3A, Quat, Vec3};
 use sh_cpu::{
-    Body, CutOptions, LightCutOptions, LightCuts, LightGather, LightUpdate, Path, SphericalLights,
+    CutOptions, LightCutOptions, LightCuts, LightGather, LightUpdate, Path, SphericalLights,
 };
-use sh_gpu::{
-    ClusterBinding, LightGatherPass, LightUpdatePass, ShadowOptions, ShadowPass, Shining,
-};
+use sh_gpu::{ClusterBinding, LightGatherPass, LightUpdatePass, ShadowOptions, ShadowPass};
 use sh_scene::{
-    Blocking, Forest, Indirect, Light, Limits, Object, Receiver, Scene, Sphere, SurfaceSamples,
+    Blocking, Body, Forest, Indirect, Light, Limits, Object, Receiver, Scene, Sphere,
+    SurfaceSamples,
 };
 use std::ops::Range;
 
@@ -137,7 +136,7 @@ impl Case<'_> {
         let (device, queue) = (&gpu.device, &gpu.queue);
         let shadow = ShadowPass::with(&gpu.pipelines, options).unwrap();
         let gather = LightGatherPass::new(device, &shadow, self.indirect.blocking).unwrap();
-        let bodies = || self.objects.iter().map(Shining::from);
+        let bodies = || self.objects.iter().map(Body::from);
         let bounces = self.indirect.bounces;
         let update =
             LightUpdatePass::new(device, queue, &shadow, &gather, bodies(), bounces).unwrap();

@@ -10,7 +10,7 @@ use sh_scene::{
 };
 
 /// What passes are bound to that is nobody else's: kernel, what it calls it, and what it is.
-const PRIVATE: [(&str, &str, &str); 10] = [
+const PRIVATE: [(&str, &str, &str); 9] = [
     ("gbuffer", "band", "the part of the picture at hand"),
     ("gbuffer", "places", "what was drawn, before it is packed"),
     ("gbuffer", "surfaces", "what was drawn, before it is packed"),
@@ -22,9 +22,8 @@ const PRIVATE: [(&str, &str, &str); 10] = [
         "lighting",
         "limits, and how many nodes there are",
     ),
+    ("light_update", "lighting", "how many nodes there are"),
     ("light_update", "cells", "constants"),
-    ("light_update", "receivers", "points, for the shadow pass"),
-    ("light_update", "radiance", "what that gave them"),
 ];
 
 fn scene() -> Scene {
@@ -49,7 +48,10 @@ fn scene() -> Scene {
             window: None,
             half_resolution: true,
             limits: Limits::default(),
-            indirect: Some(Indirect::default()),
+            indirect: Some(Indirect {
+                bounces: 2,
+                ..Indirect::default()
+            }),
         },
     }
 }
@@ -73,9 +75,6 @@ fn facts(scene: &Scene) -> Vec<Facts<'_>> {
 fn bound(pass: &Pass, facts: &Facts) -> Vec<(&'static str, &'static Binding)> {
     let mut all = Vec::new();
     for entry in (pass.entries)(facts) {
-        if pass.name == "light_update" && entry.kernel == "shadow" {
-            continue;
-        }
         let kernel = Kernel::ALL.into_iter().find(|k| k.name() == entry.kernel);
         let kernel = kernel.unwrap_or_else(|| panic!("there is no kernel {}", entry.kernel));
         // A pipeline that draws is two entry points.

@@ -65,10 +65,13 @@ impl Plan {
     pub fn check(&self) -> Result<(), PlanError> {
         for (index, pass) in self.passes.iter().enumerate() {
             for slot in pass.slots() {
-                if !matches!(slot.access, Access::Read | Access::Modify) {
-                    continue;
+                let what = slot.bound(pass.at);
+                match slot.access {
+                    Access::Read | Access::Modify => self.made((pass.name(), index), what)?,
+                    // A turn before, whoever makes it may come later in the plan.
+                    Access::ReadBefore => self.made((pass.name(), self.passes.len()), what)?,
+                    Access::ReadIfAny | Access::Write => {}
                 }
-                self.made((pass.name(), index), slot.bound(pass.at))?;
             }
         }
         let asked = ("the caller", self.passes.len());

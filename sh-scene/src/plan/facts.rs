@@ -1,5 +1,6 @@
 //! What of a scene decides about its passes.
 
+use super::passes::SHADOW;
 use super::{Domain, LeftOut, Resource};
 use crate::{Object, Scene, Settings};
 
@@ -27,6 +28,8 @@ pub struct Facts<'a> {
     pub half: bool,
     /// How many spheres send light on, or why none does.
     pub senders: Result<usize, &'static str>,
+    /// Points on the surfaces around them.
+    pub points: usize,
 }
 
 impl<'a> Facts<'a> {
@@ -49,6 +52,7 @@ impl<'a> Facts<'a> {
             shadows,
             half: shadows && settings.half_resolution && !brought,
             senders: senders(scene),
+            points: scene.objects.iter().map(|o| o.surface.points.len()).sum(),
         }
     }
 
@@ -57,6 +61,22 @@ impl<'a> Facts<'a> {
         match self.brought {
             true => Domain::Receivers,
             false => Domain::Samples,
+        }
+    }
+
+    /// How often light is sent on.
+    pub fn bounces(&self) -> u32 {
+        self.settings.indirect.unwrap_or_default().bounces.max(1)
+    }
+
+    /// Why nothing that anyone sees is cast into shadow, if nothing is.
+    pub fn unblocked(&self) -> Option<&'static str> {
+        if !self.settings.shadows {
+            Some("Shadows are switched off.")
+        } else if !self.shadows {
+            Some("Nothing in the scene has blocker spheres.")
+        } else {
+            None
         }
     }
 
@@ -93,6 +113,10 @@ impl<'a> Facts<'a> {
             let reason = reason.to_string();
             all.push(LeftOut { name, reason });
         };
+        // Where bodies light each other, it runs all the same, but no receiver of the picture sees it.
+        if let (Ok(_), Some(why)) = (self.senders, self.unblocked()) {
+            add(SHADOW.name, why);
+        }
         let dark = self.scene.lights.len() - self.lamps;
         if self.lamps == 0 && dark == 0 {
             add(

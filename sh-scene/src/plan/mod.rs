@@ -28,6 +28,7 @@ pub use shaders::Shader;
 
 use crate::Scene;
 use std::fmt;
+use std::ops::Range;
 
 /// One pass of a plan, where it runs and why this scene needs it.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +39,8 @@ pub struct Planned {
     pub at: Domain,
     /// Why it is in the plan, for a person: a sentence.
     pub reason: String,
+    /// The turns in which it runs.
+    pub turns: Range<u32>,
 }
 
 impl Planned {
@@ -124,10 +127,11 @@ impl Plan {
         let (mut passes, mut left_out) = (Vec::new(), Vec::new());
         for pass in PASSES {
             match (pass.wanted)(facts) {
-                Ok(runs) => passes.extend(runs.into_iter().map(|Run { at, reason }| Planned {
+                Ok(runs) => passes.extend(runs.into_iter().map(|run| Planned {
                     pass,
-                    at,
-                    reason,
+                    at: run.at,
+                    reason: run.reason,
+                    turns: run.turns,
                 })),
                 Err(reason) => left_out.push(LeftOut {
                     name: pass.name,

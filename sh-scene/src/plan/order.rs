@@ -5,7 +5,8 @@ use super::{Access, Planned};
 /// Passes so that each comes after those whose work it needs. Where that leaves a choice, domains' phases decide, and
 /// then the order in which the passes came.
 ///
-/// Of a resource, whoever makes it comes first, then whoever changes it in place, then whoever only reads it. Passes that
+/// Of a resource, whoever makes it comes first, then whoever changes it in place, then whoever only reads it; whoever reads
+/// that of the turn before comes before all of them. Passes that
 /// wait for each other keep the order in which they came; [`super::Plan::check`] finds them.
 pub(super) fn sorted(passes: Vec<Planned>) -> Vec<Planned> {
     let mut left: Vec<Planned> = passes;
@@ -37,8 +38,9 @@ fn precedes(first: &Planned, then: &Planned) -> bool {
 
 fn rank(access: Access) -> u32 {
     match access {
-        Access::Write => 0,
-        Access::Modify => 1,
-        Access::Read | Access::ReadIfAny => 2,
+        Access::ReadBefore => 0,
+        Access::Write => 1,
+        Access::Modify => 2,
+        Access::Read | Access::ReadIfAny => 3,
     }
 }

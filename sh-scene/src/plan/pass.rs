@@ -3,6 +3,7 @@
 use super::facts::Facts;
 use super::resource::{Domain, Resource};
 use std::fmt;
+use std::ops::Range;
 
 /// One pass: a value of this type in a file of its own in `plan/passes`, a kernel and its twin of that name.
 pub struct Pass {
@@ -43,13 +44,28 @@ impl fmt::Debug for Pass {
     }
 }
 
-/// A domain that a pass runs over, and why: a sentence for a person.
+/// A domain that a pass runs over, and why.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     /// What it runs over.
     pub at: Domain,
-    /// Why it is in the plan.
+    /// Why it is in the plan: a sentence for a person.
     pub reason: String,
+    /// Those turns of its domain's phase in which it runs. The passes of a turn are done before the next begins.
+    pub turns: Range<u32>,
+}
+
+impl Run {
+    /// In the first turn, which is the only one where nothing is done again.
+    pub fn once(at: Domain, reason: impl Into<String>) -> Self {
+        Self::in_turns(at, 0..1, reason)
+    }
+
+    /// In these turns.
+    pub fn in_turns(at: Domain, turns: Range<u32>, reason: impl Into<String>) -> Self {
+        let reason = reason.into();
+        Self { at, reason, turns }
+    }
 }
 
 /// What a pass does with a resource.
@@ -59,6 +75,8 @@ pub enum Access {
     Read,
     /// Needs it where there is such a thing.
     ReadIfAny,
+    /// Needs it as the turn before has left it.
+    ReadBefore,
     /// Makes it.
     Write,
     /// Needs it and changes it in place.
@@ -97,6 +115,11 @@ impl Slot {
     /// Reads a resource where there is one.
     pub const fn read_if_any(resource: Resource) -> Self {
         Self::new(resource, Access::ReadIfAny)
+    }
+
+    /// Reads a resource as the turn before has left it.
+    pub const fn read_before(resource: Resource) -> Self {
+        Self::new(resource, Access::ReadBefore)
     }
 
     /// Makes a resource.
@@ -178,12 +201,10 @@ pub struct Units {
     pub open: f64,
     /// Light through all blockers of a cut.
     pub shadow: f64,
-    /// What spheres send.
+    /// What spheres send to it.
     pub gather: f64,
-    /// Surface points of a sphere.
-    pub points: f64,
-    /// Bounces.
-    pub bounces: f64,
+    /// What a sphere makes of the light on its points.
+    pub send: f64,
 }
 
 /// What an element of a pass's domain costs.

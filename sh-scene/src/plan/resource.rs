@@ -7,6 +7,8 @@ use std::borrow::Cow;
 pub enum Domain {
     /// The scene as a whole.
     Scene,
+    /// Points on the surfaces of bodies, as receivers: those around each sphere.
+    Points,
     /// The spheres of all bodies.
     Spheres,
     /// Receivers that the caller brings: vertices, or whatever else is to be lit.
@@ -23,8 +25,9 @@ pub enum Domain {
 
 impl Domain {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Scene,
+        Self::Points,
         Self::Spheres,
         Self::Receivers,
         Self::Halves,
@@ -37,6 +40,7 @@ impl Domain {
     pub fn name(self) -> &'static str {
         match self {
             Self::Scene => "scene",
+            Self::Points => "points",
             Self::Spheres => "spheres",
             Self::Receivers => "receivers",
             Self::Halves => "halves",
@@ -46,10 +50,17 @@ impl Domain {
         }
     }
 
+    /// Whether what passes make for it stays as it is from frame to frame, as long as no body moves and no light changes: it
+    /// has nothing to do with what looks at it.
+    pub fn is_kept(self) -> bool {
+        matches!(self, Self::Points | Self::Spheres)
+    }
+
     /// When its passes run: those of one phase are done, all bands of them, before those of the next begin.
     pub(super) fn phase(self) -> Phase {
         match self {
-            Self::Scene | Self::Spheres | Self::Receivers => Phase::Once,
+            Self::Scene | Self::Points | Self::Spheres => Phase::Bodies,
+            Self::Receivers => Phase::Brought,
             Self::Halves => Phase::Coarse,
             Self::Samples | Self::Rest | Self::Pixels => Phase::Fine,
         }
@@ -59,8 +70,13 @@ impl Domain {
 /// The order in which domains are worked off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Phase {
-    Once,
+    /// What bodies do to each other, whoever looks.
+    Bodies,
+    /// A caller's receivers.
+    Brought,
+    /// The picture at half resolution.
     Coarse,
+    /// The picture.
     Fine,
 }
 

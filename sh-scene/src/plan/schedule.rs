@@ -10,13 +10,15 @@ pub enum Part {
     Whole,
     /// One of the horizontal bands that a grid of receivers is divided into, from the top.
     Band(u32),
+    /// All of it, again in each of several turns.
+    Turn(u32),
 }
 
 impl Part {
     /// The number of the band; 0 where it is all there is.
     pub fn band(self) -> u32 {
         match self {
-            Self::Whole => 0,
+            Self::Whole | Self::Turn(_) => 0,
             Self::Band(band) => band,
         }
     }
@@ -45,22 +47,29 @@ impl Plan {
     /// ```
     pub fn steps(&self, halves: u32, samples: u32) -> Vec<Step> {
         let mut steps = Vec::new();
-        let phases = [
-            (Phase::Once, None),
-            (Phase::Coarse, Some(halves)),
-            (Phase::Fine, Some(samples)),
-        ];
-        for (phase, bands) in phases {
-            for band in 0..bands.unwrap_or(1) {
-                let part = match bands {
-                    None => Part::Whole,
-                    Some(_) => Part::Band(band),
+        for phase in [Phase::Bodies, Phase::Brought] {
+            let passes = self.passes.iter().filter(|p| p.at.phase() == phase);
+            let turns = passes.map(|planned| planned.turns.end).max().unwrap_or(0);
+            for turn in 0..turns {
+                let part = match turns {
+                    1 => Part::Whole,
+                    _ => Part::Turn(turn),
                 };
-                let passes = self.passes.iter().enumerate();
-                let passes = passes.filter(|(_, planned)| planned.at.phase() == phase);
-                steps.extend(passes.map(|(pass, _)| Step { pass, part }));
+                self.add(phase, turn, part, &mut steps);
+            }
+        }
+        for (phase, bands) in [(Phase::Coarse, halves), (Phase::Fine, samples)] {
+            for band in 0..bands {
+                self.add(phase, 0, Part::Band(band), &mut steps);
             }
         }
         steps
+    }
+    /// Adds what of a phase runs in a turn.
+    fn add(&self, phase: Phase, turn: u32, part: Part, steps: &mut Vec<Step>) {
+        let passes = self.passes.iter().enumerate();
+        let now = passes
+            .filter(|(_, planned)| planned.at.phase() == phase && planned.turns.contains(&turn));
+        steps.extend(now.map(|(pass, _)| Step { pass, part }));
     }
 }

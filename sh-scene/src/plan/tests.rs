@@ -102,7 +102,20 @@ fn varied() -> Vec<Scene> {
     half.settings.half_resolution = true;
     let mut open = bounced.clone();
     open.settings.shadows = false;
-    vec![scene(8, true), scene(0, true), full, bounced, half, open]
+    let mut again = half.clone();
+    again.settings.indirect = Some(Indirect {
+        bounces: 3,
+        ..Indirect::default()
+    });
+    vec![
+        scene(8, true),
+        scene(0, true),
+        full,
+        bounced,
+        half,
+        open,
+        again,
+    ]
 }
 
 #[test]
@@ -153,6 +166,8 @@ fn the_order_of_passes_follows_from_their_slots() {
     assert_eq!(
         order,
         [
+            ("points", "points"),
+            ("shadow", "points"),
             ("light_update", "spheres"),
             ("gbuffer", "halves"),
             ("shadow", "halves"),
@@ -194,6 +209,54 @@ fn steps_go_through_all_passes_band_by_band() {
     assert_eq!(lit.steps(0, 0), [step]);
 }
 
+/// Bounces are turns: in each but the first, points gather what the turn before has sent.
+#[test]
+fn bounces_are_turns_of_the_passes_over_points() {
+    let mut bounced = scene(8, true);
+    bounced.objects[0].surface.push([SurfacePoint::default()]);
+    let steps = |bounces: u32| -> Vec<_> {
+        let mut scene = bounced.clone();
+        scene.settings.indirect = Some(Indirect {
+            bounces,
+            ..Indirect::default()
+        });
+        let plan = Plan::of_receivers(&scene);
+        let steps = plan.steps(0, 0).into_iter();
+        steps
+            .map(|step| {
+                let planned = &plan.passes[step.pass];
+                (planned.name(), planned.at.name(), step.part)
+            })
+            .collect()
+    };
+    let first = |part| {
+        [
+            ("points", "points", part),
+            ("shadow", "points", part),
+            ("light_update", "spheres", part),
+        ]
+    };
+    let last = |part| {
+        [
+            ("shadow", "receivers", part),
+            ("light_gather", "receivers", part),
+        ]
+    };
+    let again = |turn| {
+        [
+            ("light_gather", "points", Part::Turn(turn)),
+            ("light_update", "spheres", Part::Turn(turn)),
+        ]
+    };
+    let once = Part::Whole;
+    assert_eq!(steps(1), [&first(once)[..], &last(once)].concat());
+    let three = steps(3);
+    assert_eq!(three[..3], first(Part::Turn(0)));
+    assert_eq!(three[3..5], again(1));
+    assert_eq!(three[5..7], again(2));
+    assert_eq!(three[7..], last(Part::Whole));
+}
+
 /// The caller's receivers are neither seen nor resolved, and what spheres send them is kept apart.
 #[test]
 fn receivers_of_the_callers_are_lit_and_nothing_else() {
@@ -202,9 +265,10 @@ fn receivers_of_the_callers_are_lit_and_nothing_else() {
     scene.objects[0].surface.push([SurfacePoint::default()]);
     let plan = Plan::of_receivers(&scene);
     let names: Vec<_> = plan.passes.iter().map(Planned::name).collect();
-    assert_eq!(names, ["light_update", "shadow", "light_gather"]);
+    let expected = ["points", "shadow", "light_update", "shadow", "light_gather"];
+    assert_eq!(names, expected);
     let sent = plan.maker(resource::SENT, Domain::Receivers);
-    assert_eq!(sent, Some(2));
+    assert_eq!(sent, Some(4));
     for pass in [&UPSAMPLE, &SHARES, &SCATTER, &RESOLVE] {
         assert!(plan.left_out.iter().any(|left| left.name == pass.name));
     }
@@ -326,6 +390,7 @@ fn what_is_left_out_is_told_in_sentences() {
     let left = Plan::new(&bare).left_out;
     let names: Vec<_> = left.iter().map(|left| left.name).collect();
     let expected = [
+        "points",
         "light_update",
         "shadow",
         "light_gather",

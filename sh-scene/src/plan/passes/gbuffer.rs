@@ -28,15 +28,12 @@ pub static GBUFFER: Pass = Pass {
         let mut runs = Vec::new();
         if facts.half {
             let reason = "Soft light changes little from pixel to pixel: a ray for every two by two is enough.";
-            runs.push(Run {
-                at: Domain::Halves,
-                reason: reason.into(),
-            });
+            runs.push(Run::once(Domain::Halves, reason));
         }
-        runs.push(Run {
-            at: Domain::Samples,
-            reason: format!("The camera's rays have to find {surfaces}."),
-        });
+        runs.push(Run::once(
+            Domain::Samples,
+            format!("The camera's rays have to find {surfaces}."),
+        ));
         Ok(runs)
     },
     entries: |facts| {

@@ -28,13 +28,12 @@ pub static INVALID: Pass = Pass {
     },
     // What nobody asks for is nothing that a scene does without.
     wanted: |facts| {
-        let asked = facts.asks(INVALID_SAMPLES).then(|| Run {
-            at: Domain::Pixels,
-            reason:
-                "It was asked whether every sample's radiance is a number, finite and not negative."
-                    .into(),
-        });
-        Ok(asked.into_iter().collect())
+        if !facts.asks(INVALID_SAMPLES) {
+            return Ok(Vec::new());
+        }
+        let reason =
+            "It was asked whether every sample's radiance is a number, finite and not negative.";
+        Ok(vec![Run::once(Domain::Pixels, reason)])
     },
     entries: |_| vec![Entry::new("invalid", "invalid", Orders::None)],
     cost: |_| Cost {

@@ -15,10 +15,10 @@ pub static IRRADIANCE: Pass = Pass {
     },
     wanted: |facts| match facts.shadows {
         true => Err("The shadow pass gives unblocked light as well.".into()),
-        false => Ok(vec![Run {
-            at: facts.finest(),
-            reason: format!("{} reaches every receiver unblocked.", facts.light()),
-        }]),
+        false => Ok(vec![Run::once(
+            facts.finest(),
+            format!("{} reaches every receiver unblocked.", facts.light()),
+        )]),
     },
     entries: |facts| {
         let entry = Entry::new("irradiance", "irradiance", Orders::Light);

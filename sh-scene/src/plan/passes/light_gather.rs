@@ -9,6 +9,12 @@ use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
 pub static LIGHT_GATHER: Pass = Pass {
     name: "light_gather",
     slots: |at| match at {
+        Domain::Points => vec![
+            Slot::read(RECEIVERS),
+            Slot::read(BLOCKERS),
+            Slot::read_before(EMISSION),
+            Slot::modify(SENT),
+        ],
         Domain::Halves | Domain::Receivers => vec![
             Slot::read(RECEIVERS),
             Slot::read(BLOCKERS),
@@ -35,21 +41,19 @@ pub static LIGHT_GATHER: Pass = Pass {
             Blocking::Object => "bodies hide each other as a whole",
         };
         let reason = format!("Bodies light each other and the ground; {hides}.");
-        if !facts.half {
-            let at = facts.finest();
-            return Ok(vec![Run { at, reason }]);
+        let mut runs = Vec::new();
+        if facts.bounces() > 1 {
+            let more = "What spheres send falls on the surface around others, to be sent on again.";
+            runs.push(Run::in_turns(Domain::Points, 1..facts.bounces(), more));
         }
-        let rest = "Edges and small folds gather what bodies send by themselves.";
-        Ok(vec![
-            Run {
-                at: Domain::Halves,
-                reason,
-            },
-            Run {
-                at: Domain::Rest,
-                reason: rest.into(),
-            },
-        ])
+        if facts.half {
+            let rest = "Edges and small folds gather what bodies send by themselves.";
+            runs.push(Run::once(Domain::Halves, reason));
+            runs.push(Run::once(Domain::Rest, rest));
+        } else {
+            runs.push(Run::once(facts.finest(), reason));
+        }
+        Ok(runs)
     },
     entries: |facts| {
         let entry = |name| Entry::new("light_gather", name, Orders::Light);

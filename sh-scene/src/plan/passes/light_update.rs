@@ -1,39 +1,40 @@
 //! What the spheres of bodies send on of the light that falls on the surface around them, bounce by bounce.
 
 use crate::plan::facts::counted;
-use crate::plan::resource::{BLOCKERS, EMISSION, LIGHT, SURFACE_POINTS};
+use crate::plan::resource::{BLOCKERS, EMISSION, RADIANCE, SENT, SURFACE_POINTS};
 use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
 
-/// Light that spheres send on.
+/// Light that spheres send on: in the first turn of what falls on them without bodies' help, then of what bodies have sent
+/// them in the turn before as well.
 pub static LIGHT_UPDATE: Pass = Pass {
     name: "light_update",
     slots: |_| {
         vec![
             Slot::read(SURFACE_POINTS),
             Slot::read(BLOCKERS),
-            Slot::read(LIGHT),
+            Slot::read(RADIANCE).of(Domain::Points),
+            Slot::read(SENT).of(Domain::Points).named(&["gathered"]),
             Slot::write(EMISSION),
         ]
     },
     wanted: |facts| {
         let lights = facts.senders?;
-        let bounces = facts.settings.indirect.unwrap_or_default().bounces;
-        let bounces = counted(bounces as usize, "bounce", "bounces");
+        let bounces = counted(facts.bounces() as usize, "bounce", "bounces");
         let spheres = counted(lights, "sphere sends", "spheres send");
-        Ok(vec![Run {
-            at: Domain::Spheres,
-            reason: format!("{spheres} on what falls on the surface around them, for {bounces}."),
-        }])
+        let reason = format!("{spheres} on what falls on the surface around them, for {bounces}.");
+        Ok(vec![Run::in_turns(
+            Domain::Spheres,
+            0..facts.bounces(),
+            reason,
+        )])
     },
-    entries: |facts| {
-        let lit = Entry::new("shadow", "shadow", Orders::Both).with(&facts.lamp_constants());
-        let own = ["place", "project", "raise"];
-        let own = own.map(|name| Entry::new("light_update", name, Orders::Light));
-        [vec![lit], own.into()].concat()
+    entries: |_| {
+        let own = ["project", "raise"];
+        own.map(|name| Entry::new("light_update", name, Orders::Light))
+            .into()
     },
     cost: |units| Cost {
-        multiply_adds: units.points
-            * (units.shadow + (units.bounces - 1.0).max(0.0) * units.gather),
+        multiply_adds: units.send,
         nanoseconds: 0.0,
     },
 };

@@ -7,6 +7,7 @@ mod invalid;
 mod irradiance;
 mod light_gather;
 mod light_update;
+mod points;
 mod resolve;
 mod scatter;
 mod shadow;
@@ -18,6 +19,7 @@ pub use invalid::{INVALID, INVALID_SAMPLES, InvalidSamples};
 pub use irradiance::IRRADIANCE;
 pub use light_gather::LIGHT_GATHER;
 pub use light_update::LIGHT_UPDATE;
+pub use points::POINTS;
 pub use resolve::RESOLVE;
 pub use scatter::SCATTER;
 pub use shadow::SHADOW;
@@ -27,7 +29,8 @@ pub use upsample::UPSAMPLE;
 use super::Pass;
 
 /// All of them.
-pub static PASSES: [&Pass; 10] = [
+pub static PASSES: [&Pass; 11] = [
+    &POINTS,
     &LIGHT_UPDATE,
     &GBUFFER,
     &IRRADIANCE,

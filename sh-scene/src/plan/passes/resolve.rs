@@ -17,10 +17,10 @@ pub static RESOLVE: Pass = Pass {
     },
     wanted: |facts| match facts.brought {
         true => Err("The light of a caller's receivers is no picture.".into()),
-        false => Ok(vec![Run {
-            at: Domain::Pixels,
-            reason: "Lit samples become pixels, with the environment behind them.".into(),
-        }]),
+        false => Ok(vec![Run::once(
+            Domain::Pixels,
+            "Lit samples become pixels, with the environment behind them.",
+        )]),
     },
     entries: |_| vec![Entry::new("resolve", "resolve", Orders::None)],
     cost: |_| Cost {

@@ -18,10 +18,10 @@ pub static SCATTER: Pass = Pass {
     },
     wanted: |facts| {
         upsample::needed(facts)?;
-        Ok(vec![Run {
-            at: Domain::Rest,
-            reason: "What was shaded by itself goes back to its samples.".into(),
-        }])
+        Ok(vec![Run::once(
+            Domain::Rest,
+            "What was shaded by itself goes back to its samples.",
+        )])
     },
     entries: |_| vec![Entry::new("upsample", "scatter", Orders::Light)],
     cost: |_| Cost {

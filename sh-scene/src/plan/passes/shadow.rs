@@ -16,11 +16,18 @@ pub static SHADOW: Pass = Pass {
         ]
     },
     wanted: |facts| {
-        if !facts.settings.shadows {
-            return Err("Shadows are switched off.".into());
+        let mut runs = Vec::new();
+        if facts.senders.is_ok() {
+            let reason = "Of the light on bodies' surfaces, other bodies leave a part.";
+            runs.push(Run::once(Domain::Points, reason));
         }
-        if !facts.shadows {
-            return Err("Nothing in the scene has blocker spheres.".into());
+        if let Some(why) = facts.unblocked() {
+            // What shades points alone is no shadow that anyone sees.
+            return if runs.is_empty() {
+                Err(why.into())
+            } else {
+                Ok(runs)
+            };
         }
         let spheres = counted(facts.blockers, "blocker sphere", "blocker spheres");
         let accumulation = facts.settings.accumulation;
@@ -28,27 +35,16 @@ pub static SHADOW: Pass = Pass {
             true => String::new(),
             false => format!(", whose logarithms are accumulated in order {accumulation}"),
         };
-        let first = format!(
-            "{} is cast into shadow by {spheres}{accumulated}.",
-            facts.light()
-        );
-        if !facts.half {
-            return Ok(vec![Run {
-                at: facts.finest(),
-                reason: first,
-            }]);
+        let light = facts.light();
+        let reason = format!("{light} is cast into shadow by {spheres}{accumulated}.");
+        if facts.half {
+            let rest = "Edges and small folds, for which half resolution does not do, are shaded by themselves.";
+            runs.push(Run::once(Domain::Halves, reason));
+            runs.push(Run::once(Domain::Rest, rest));
+        } else {
+            runs.push(Run::once(facts.finest(), reason));
         }
-        let rest = "Edges and small folds, for which half resolution does not do, are shaded by themselves.";
-        Ok(vec![
-            Run {
-                at: Domain::Halves,
-                reason: first,
-            },
-            Run {
-                at: Domain::Rest,
-                reason: rest.into(),
-            },
-        ])
+        Ok(runs)
     },
     entries: |facts| {
         let entry = Entry::new("shadow", "shadow", Orders::Both);

@@ -17,11 +17,10 @@ pub static SHARES: Pass = Pass {
     },
     wanted: |facts| {
         upsample::needed(facts)?;
-        Ok(vec![Run {
-            at: Domain::Halves,
-            reason: "What is interpolated is the share of its light that a receiver gets, which normals change little."
-                .into(),
-        }])
+        Ok(vec![Run::once(
+            Domain::Halves,
+            "What is interpolated is the share of its light that a receiver gets, which normals change little.",
+        )])
     },
     entries: |facts| {
         let entry = Entry::new("upsample", "shares", Orders::Light);

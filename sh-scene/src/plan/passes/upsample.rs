@@ -25,10 +25,10 @@ pub static UPSAMPLE: Pass = Pass {
     },
     wanted: |facts| {
         needed(facts)?;
-        Ok(vec![Run {
-            at: Domain::Samples,
-            reason: "Samples take the light of their surface from half resolution.".into(),
-        }])
+        Ok(vec![Run::once(
+            Domain::Samples,
+            "Samples take the light of their surface from half resolution.",
+        )])
     },
     entries: |facts| {
         let [lamps, distributions] = facts.lamp_constants();

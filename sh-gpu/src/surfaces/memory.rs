@@ -1,14 +1,13 @@
 //! The buffers of the pass.
 
-use super::Shining;
 use crate::lighting::{buffer, room};
 use crate::pipeline::Kernel;
 use crate::records::Sender;
-use crate::slot::Slot;
+use crate::scope::checked;
 use crate::{ClusterBinding, Error, LightGatherPass, ShadowPass};
-use sh_scene::Receiver;
 use sh_scene::surface::{DIRECTIONS, MOST_COEFFICIENTS, SurfacePoint, cell_sums};
-use wgpu::{BindGroup, Buffer, BufferUsages, Device, Queue};
+use sh_scene::{Body, Receiver};
+use wgpu::{BindGroup, Buffer, BufferBinding, BufferUsages, CommandEncoder, Device, Queue};
 
 /// What a pass was made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,7 +19,7 @@ pub(super) struct Counts {
 }
 
 impl Counts {
-    pub fn of<'a>(bodies: impl IntoIterator<Item = Shining<'a>>) -> Self {
+    pub fn of<'a>(bodies: impl IntoIterator<Item = Body<'a>>) -> Self {
         let mut counts = Self {
             spheres: 0,
             points: 0,
@@ -38,7 +37,7 @@ impl Counts {
     }
 }
 
-/// What spheres and their points are, and the points as receivers with their light.
+/// What spheres and their points are.
 #[derive(Debug)]
 pub(super) struct Memory {
     pub senders: Buffer,
@@ -46,35 +45,28 @@ pub(super) struct Memory {
     pub stands: Buffer,
     pub exposed: Buffer,
     pub clusters: Buffer,
-    pub receivers: Buffer,
     cells: Buffer,
-    /// Radiance of the points by the shadow pass.
-    pub direct: Buffer,
 }
 
 impl Memory {
     /// Room for so many, and what directions' cells are.
     pub fn new(device: &Device, queue: &Queue, counts: Counts) -> Result<Self, Error> {
-        let none = BufferUsages::empty();
         let (spheres, points) = (counts.spheres, counts.points);
-        let of_spheres =
-            |label, size| make(device, label, "room for spheres", (spheres, size), none);
-        let of_points = |label, size| make(device, label, POINTS, (points, size), none);
-        let by_sphere = |label, size| make(device, label, POINTS, (spheres, size), none);
+        let of_spheres = |label, size| make(device, label, "room for spheres", (spheres, size));
+        let of_points = |label, size| make(device, label, POINTS, (points, size));
+        let by_sphere = |label, size| make(device, label, POINTS, (spheres, size));
         let sums = cell_sums();
         let cells = (sums.len(), size_of_val(&sums[0]));
         let memory = Self {
             senders: of_spheres("gaunt senders", size_of::<Sender>())?,
             points: of_points("gaunt surface points", size_of::<SurfacePoint>())?,
-            receivers: of_points("gaunt surface receivers", size_of::<Receiver>())?,
             stands: by_sphere("gaunt standing points", DIRECTIONS)?,
             exposed: by_sphere(
                 "gaunt exposed spheres",
                 MOST_COEFFICIENTS * size_of::<f32>(),
             )?,
             clusters: by_sphere("gaunt surface clusters", 8)?,
-            direct: lights(device, "gaunt surface light", counts)?,
-            cells: make(device, "gaunt cells", POINTS, cells, none)?,
+            cells: make(device, "gaunt cells", POINTS, cells)?,
         };
         queue.write_buffer(&memory.cells, 0, bytemuck::cast_slice(&sums[..]));
         Ok(memory)
@@ -102,9 +94,9 @@ impl Memory {
     }
 
     /// Each sphere's points are a cluster.
-    pub fn all_clusters(&self, counts: Counts) -> ClusterBinding<'_> {
+    pub fn clusters(&self, counts: Counts) -> ClusterBinding<'_> {
         ClusterBinding {
-            clusters: whole(&self.clusters),
+            clusters: self.clusters.as_entire_buffer_binding(),
             largest: number(counts.largest).max(1),
         }
     }
@@ -116,22 +108,49 @@ impl Memory {
             &self.stands,
             &self.exposed,
             &self.clusters,
-            &self.receivers,
             &self.cells,
-            &self.direct,
         ];
         own.into_iter().map(Buffer::size).sum()
     }
 }
 
+/// Points as receivers and their light, for whoever works off no plan.
+#[derive(Debug)]
+pub(crate) struct PointBuffers {
+    receivers: Buffer,
+    radiance: Buffer,
+    sent: Buffer,
+}
+
+impl PointBuffers {
+    pub(super) fn new(device: &Device, counts: Counts) -> Result<Self, Error> {
+        let of = |label, size| make(device, label, POINTS, (counts.points, size));
+        checked(device, || {
+            Ok(Self {
+                receivers: of("gaunt surface receivers", size_of::<Receiver>())?,
+                radiance: of("gaunt surface light", 16)?,
+                sent: of("gaunt surface light sent on", 16)?,
+            })
+        })
+    }
+
+    /// Receivers, light that comes directly, and light that spheres have sent.
+    pub fn all(&self) -> [BufferBinding<'_>; 3] {
+        [&self.receivers, &self.radiance, &self.sent].map(|b| b.as_entire_buffer_binding())
+    }
+
+    /// Spheres have sent nothing.
+    pub fn clear_sent(&self, encoder: &mut CommandEncoder) {
+        encoder.clear_buffer(&self.sent, 0, None);
+    }
+
+    pub fn bytes(&self) -> u64 {
+        self.receivers.size() + self.radiance.size() + self.sent.size()
+    }
+}
+
 /// What an error calls what is made by points.
 const POINTS: &str = "room for surface points";
-
-/// Radiance of all points.
-pub(super) fn lights(device: &Device, label: &str, counts: Counts) -> Result<Buffer, Error> {
-    let copied = BufferUsages::COPY_SRC;
-    make(device, label, POINTS, (counts.points, 16), copied)
-}
 
 /// Room for a count of records of a size.
 fn make(
@@ -139,21 +158,11 @@ fn make(
     label: &str,
     what: &'static str,
     (count, size): (usize, usize),
-    usage: BufferUsages,
 ) -> Result<Buffer, Error> {
     let room = room(device, what, number(count), size)?;
-    Ok(buffer(device, label, room, usage | BufferUsages::STORAGE))
+    Ok(buffer(device, label, room, BufferUsages::STORAGE))
 }
 
 fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
-}
-
-/// All of a buffer of such records.
-pub(super) fn of<'a>(buffer: &'a Buffer, name: &'static str, stride: u64) -> Slot<'a> {
-    Slot::counting(name, stride, whole(buffer))
-}
-
-pub(super) fn whole(buffer: &Buffer) -> wgpu::BufferBinding<'_> {
-    buffer.as_entire_buffer_binding()
 }

@@ -1,11 +1,9 @@
 //! The kernels of the pass.
 
-use super::memory::of;
 use crate::pipeline::Kernel;
-use crate::{Bound, Error, ShadowPass};
+use crate::{Error, ShadowPass};
 use sh_kernels::Pass;
 use std::sync::Arc;
-use wgpu::{Buffer, Device};
 
 /// Points put in place; what spheres emit of their light; means for the nodes above.
 #[derive(Debug)]
@@ -24,16 +22,5 @@ impl Kernels {
             project: kernel("project")?,
             raise: kernel("raise")?,
         })
-    }
-
-    /// What so many spheres emit where their points have this radiance.
-    pub fn project(
-        &self,
-        device: &Device,
-        radiance: &Buffer,
-        spheres: u64,
-    ) -> Result<Bound, Error> {
-        let slots = [of(radiance, "radiance", 16)];
-        self.project.bind_groups(device, &slots, spheres, 1)
     }
 }
