@@ -2,13 +2,17 @@
 
 mod common;
 
+use bytemuck::Zeroable;
 use common::{object, scene, sphere_mesh};
 use glam::{Affine3A, Vec3, vec3};
-use sh_cpu::{Error, Frame, Frames, Gbuffer, Geometry, gbuffer, render, resolve};
+use sh_cpu::{Error, Frame, Frames, Gbuffer, Geometry, gbuffer, invalid, render, resolve};
 use sh_scene::passes::{GBUFFER, RESOLVE, SHADOW};
 use sh_scene::passes::{INVALID_SAMPLES, InvalidSamples};
 use sh_scene::surface::{SurfacePoint, directions};
-use sh_scene::{AreaLight, Domain, EnvironmentMap, Ground, Indirect, Plan, PlanError, Scene, View};
+use sh_scene::{
+    AreaLight, Domain, EnvironmentMap, Ground, Indirect, PASSES, Plan, PlanError, Receiver, Scene,
+    View,
+};
 use std::sync::Mutex;
 
 /// A ball on the ground under an even sky.
@@ -174,8 +178,10 @@ fn what_runs_is_what_the_plan_says() {
         open.settings.shadows = false;
         scenes.extend([half, open]);
     }
+    let mut seen = Vec::new();
     for scene in scenes {
-        let plan = Plan::new(&scene);
+        let plan = Plan::giving(&scene, &[INVALID_SAMPLES]);
+        seen.extend(plan.passes.iter().map(|planned| planned.pass));
         let frame = picture(&scene, &plan);
         // What is no pass of its own: the scene's part, and finding spheres.
         let parts = ["hierarchy", "light", "forest", "cut", "light_cut"];
@@ -189,6 +195,43 @@ fn what_runs_is_what_the_plan_says() {
         for (pass, work) in plan.passes.iter().zip(&frame.work) {
             assert!(work.tasks > 0, "{} has nothing to do", pass.name());
         }
+    }
+    for pass in PASSES {
+        assert!(seen.contains(&pass), "no scene here calls for {pass:?}");
+    }
+}
+
+/// Each sample counts once, as the worst of its channels.
+#[test]
+fn the_worst_of_three_channels_counts() {
+    let view = View {
+        camera: scene(Vec::new()).camera,
+        width: 1,
+        height: 1,
+    };
+    let tiles = view.samples().tiles();
+    let seen = Receiver {
+        covered: 1,
+        ..Receiver::zeroed()
+    };
+    let samples = Gbuffer {
+        receivers: vec![seen; tiles.len()],
+        albedo: vec![[0.5; 3]; tiles.len()],
+    };
+    let (nan, infinity) = (f32::NAN, f32::INFINITY);
+    for (radiance, found) in [
+        ([0.0, -0.0, f32::MAX], [0, 0, 0]),
+        ([-1e-45, 0.0, 1.0], [0, 0, 1]),
+        ([1.0, f32::NEG_INFINITY, -1.0], [0, 1, 0]),
+        ([infinity, 0.0, nan], [1, 0, 0]),
+        ([0.0, 0.0, -nan], [1, 0, 0]),
+    ] {
+        let mut all = vec![[0.0; 3]; tiles.len()];
+        all[tiles.index(1, 0)] = radiance;
+        let mut counts = [[9; 4]];
+        invalid(&view, 0..tiles.rows, &samples, &all, &mut counts).unwrap();
+        assert_eq!(counts[0][..3], found, "{radiance:?}");
+        assert_eq!(counts[0][3], 4);
     }
 }
 

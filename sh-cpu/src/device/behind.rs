@@ -284,27 +284,3 @@ where
     }
     sum
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use sh_core::seen::Seen;
-
-    /// What takes the place of a sphere that the horizon cuts may stick out of it, but no farther than lamps are looked for.
-    #[test]
-    fn what_stands_for_a_cut_sphere_is_near_it() {
-        let mut most = 0.0_f64;
-        for i in -100..100 {
-            for j in 0..100 {
-                let (height, aside) = (f64::from(i) / 100.0, f64::from(j) / 20.0);
-                if height.hypot(aside) > f64::from(NEAR) {
-                    let seen = Seen::above([aside, height, 0.0], [0.0, 1.0, 0.0], 1.0, 0.0);
-                    // A ball that touches the plane at the foot.
-                    let radius = aside * seen.sine / seen.cosine.max(1e-9);
-                    most = most.max((radius - height).abs() + radius);
-                }
-            }
-        }
-        assert!(most > 1.3 && most < f64::from(REACH), "{most}");
-    }
-}

@@ -2,8 +2,8 @@
 
 use super::light::reflected;
 use glam::Vec3;
-use sh_core::Routines;
 use sh_core::constants::NO_BODY;
+use sh_core::{ROOT_FOUR_PI, Routines};
 use sh_scene::Forest;
 
 /// What every node of a forest emits, as SH vectors in world space.
@@ -99,10 +99,8 @@ impl Emission {
         self.roots[body as usize]
     }
 
-    /// Bodies of so many spheres, each of one radiance in every direction; nodes above bodies have the brightest.
-    #[cfg(test)]
+    /// Of bodies of so many spheres, each of one radiance in every direction; nodes above bodies have the brightest.
     pub(crate) fn even(forest: &Forest, order: usize, bodies: &[(usize, [f32; 3])]) -> Self {
-        use sh_core::ROOT_FOUR_PI;
         let mut emission = Self {
             order,
             ..Self::default()
@@ -113,19 +111,17 @@ impl Emission {
                 *most = most.max(*c);
             }
         }
+        let rest = order * order - 1;
         for &body in &emission.bodies {
-            let radiance = bodies
-                .get(body as usize)
-                .map_or(emission.most, |body| body.1);
-            emission
-                .coefficients
-                .push(radiance.map(|c| c * ROOT_FOUR_PI as f32));
-            let rest = std::iter::repeat_n([0.0; 3], order * order - 1);
-            emission.coefficients.extend(rest);
+            let own = bodies.get(body as usize);
+            let radiance = own.map_or(emission.most, |body| body.1);
+            let root = ROOT_FOUR_PI as f32;
+            emission.coefficients.push(radiance.map(|c| c * root));
+            let zeros = std::iter::repeat_n([0.0; 3], rest);
+            emission.coefficients.extend(zeros);
             emission.brightest.push(radiance);
-            emission.exposed.push(ROOT_FOUR_PI as f32);
-            let rest = std::iter::repeat_n(0.0, order * order - 1);
-            emission.exposed.extend(rest);
+            emission.exposed.push(root);
+            emission.exposed.extend(std::iter::repeat_n(0.0, rest));
         }
         emission
     }

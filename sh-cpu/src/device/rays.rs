@@ -35,32 +35,3 @@ impl Rays {
             .into()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use glam::vec3;
-    use sh_scene::Camera;
-
-    #[test]
-    fn rays_are_those_of_the_view() {
-        let camera = Camera {
-            eye: vec3(1.0, 2.0, 3.0),
-            target: vec3(-0.3, 0.1, 0.2),
-            fov: 0.8,
-        };
-        let view = View {
-            camera,
-            width: 37,
-            height: 23,
-        };
-        for grid in [view.samples(), view.halves()] {
-            let rays = Rays::new(&view, grid);
-            for y in 0..grid.rows {
-                for x in 0..grid.columns {
-                    assert_eq!(rays.through(x, y), Vec3A::from(view.ray(grid, x, y)));
-                }
-            }
-        }
-    }
-}

@@ -3,7 +3,7 @@
 use super::cut::Cuts;
 use super::emission::Emission;
 use super::light_cuts::LightCuts;
-use sh_scene::Receiver;
+use sh_scene::{Forest, Receiver};
 use std::ops::Range;
 
 /// What the spheres of all bodies send on, as SH vectors in world space: for every node of a forest. Its memory is kept
@@ -35,6 +35,23 @@ pub(crate) struct Points {
 }
 
 impl SphericalLights {
+    /// Bodies that shine by themselves, each with as many of the forest's spheres, one after another, and with one radiance
+    /// (linear Rec.709) in every direction; `order`, 2 to 6, is that in which they will be gathered.
+    ///
+    /// ```
+    /// use sh_cpu::SphericalLights;
+    /// use sh_scene::{Forest, Sphere};
+    /// let ball = [Sphere { center: [0.0; 3], radius: 1.0 }];
+    /// let lamp = SphericalLights::even(&Forest::new(&ball, &[1]), 4, &[(1, [2.0, 1.0, 0.5])]);
+    /// assert_eq!(lamp.brightest(), [2.0, 1.0, 0.5]);
+    /// ```
+    pub fn even(forest: &Forest, order: usize, bodies: &[(usize, [f32; 3])]) -> Self {
+        Self {
+            emission: Emission::even(forest, order, bodies),
+            ..Self::default()
+        }
+    }
+
     /// The SH order of what is sent on: that of the light.
     pub fn order(&self) -> usize {
         self.emission.order()

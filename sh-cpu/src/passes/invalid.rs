@@ -61,22 +61,3 @@ fn what(radiance: [f32; 3]) -> Option<usize> {
     // What is neither is finite and may be as it should be: another channel is not.
     worst.min()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_worst_of_three_channels_counts() {
-        let (nan, infinity) = (f32::NAN, f32::INFINITY);
-        for (radiance, found) in [
-            ([0.0, -0.0, f32::MAX], None),
-            ([-1e-45, 0.0, 1.0], Some(2)),
-            ([1.0, f32::NEG_INFINITY, -1.0], Some(1)),
-            ([infinity, 0.0, nan], Some(0)),
-            ([0.0, 0.0, -nan], Some(0)),
-        ] {
-            assert_eq!(what(radiance), found, "{radiance:?}");
-        }
-    }
-}

@@ -94,6 +94,3 @@ impl Kernel for LightGather<'_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -298,17 +298,3 @@ fn room<T>(all: &Vec<T>) -> usize {
 fn bytes<T>(all: &[T]) -> usize {
     size_of_val(all)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use sh_scene::PASSES;
-
-    #[test]
-    fn every_pass_of_the_table_has_a_twin() {
-        for pass in PASSES {
-            assert!(twin(pass).is_ok(), "{pass:?}");
-        }
-        assert_eq!(TWINS.len(), PASSES.len());
-    }
-}

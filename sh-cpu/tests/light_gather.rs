@@ -1,11 +1,12 @@
-use super::*;
-use crate::device::cut::CutOptions;
-use crate::device::emission::Emission;
-use crate::device::light_order::LightCutOptions;
+//! Light that spheres give which are even, against rays.
+
 use glam::{Vec3, vec3};
 use sh_core::Routines;
 use sh_core::seen::Seen;
-use sh_scene::{Blocking, Forest, Limits, Sphere};
+use sh_cpu::{
+    CutOptions, LightCutOptions, LightCuts, LightGather, Path, SphericalLights, light_gather,
+};
+use sh_scene::{Blocking, Forest, Limits, Receiver, Sphere};
 
 /// Bodies that each send on one radiance in every direction.
 struct Bright {
@@ -33,10 +34,7 @@ impl Bright {
         let forest = Forest::new(&spheres, &counts);
         let bodies: Vec<_> = bodies.iter().map(|body| (body.0.len(), body.1)).collect();
         Self {
-            lights: SphericalLights {
-                emission: Emission::even(&forest, order, &bodies),
-                ..SphericalLights::default()
-            },
+            lights: SphericalLights::even(&forest, order, &bodies),
             spheres,
             bodies,
             forest,
