@@ -1,9 +1,9 @@
 //! The scene that needs no file.
 
-use crate::bodies;
+use crate::bodies::{self, Fit, once};
 use crate::cache::Cache;
 use crate::choices::Choices;
-use crate::load::{FitReport, Report, fit_all};
+use crate::load::{FitReport, Report};
 use crate::progress::Progress;
 use crate::shapes;
 use glam::{Affine3A, Quat, Vec3};
@@ -45,13 +45,11 @@ pub fn default_scene_with(
     };
 
     let start = Instant::now();
-    let fits = fit_all(
-        pieces
-            .iter()
-            .map(|piece| (vec![&piece.1], choices.count(piece.2))),
-        cache,
-        progress,
-    );
+    let fits = pieces.iter().map(|piece| Fit {
+        parts: vec![&piece.1],
+        count: choices.count(piece.2),
+    });
+    let fits = once(&fits.collect::<Vec<_>>(), cache, progress);
     report.fit_time = start.elapsed();
 
     let mut objects = Vec::new();
@@ -67,7 +65,7 @@ pub fn default_scene_with(
                 texture: None,
             },
             transform: Affine3A::from_quat(turn),
-            spheres: fitted.set.spheres,
+            spheres: fitted.what.spheres.clone(),
             weights: Vec::new(),
             part_of: None,
             surface: SurfaceSamples::default(),

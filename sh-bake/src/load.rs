@@ -1,6 +1,6 @@
 //! From a scene file to a scene.
 
-use crate::bodies::{self, SurfaceReport, WeightReport};
+use crate::bodies::{self, Fit, Found, SurfaceReport, WeightReport, once};
 use crate::cache::Cache;
 use crate::choices::Choices;
 use crate::environment::load_environment;
@@ -13,13 +13,11 @@ use crate::progress::Progress;
 use crate::scene_file::SceneFile;
 use crate::spheres::{SphereSet, is_closed};
 use glam::Vec3;
-use rayon::prelude::*;
 use sh_scene::motion::Motion;
 use sh_scene::{AreaLight, Camera, Ground, Mesh, Object, Scene, Sky, SurfaceSamples};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 /// A scene, and how it moves.
@@ -156,13 +154,11 @@ pub fn load_scene_with<'a>(
         .collect();
     wanted.sort();
     wanted.dedup();
-    let fits = fit_all(
-        wanted
-            .iter()
-            .map(|&(mesh, count)| (models[mesh].parts.iter().map(|p| &p.mesh).collect(), count)),
-        cache,
-        progress,
-    );
+    let fits = wanted.iter().map(|&(mesh, count)| Fit {
+        parts: models[mesh].parts.iter().map(|p| &p.mesh).collect(),
+        count,
+    });
+    let fits = once(&fits.collect::<Vec<_>>(), cache, progress);
     let mut sets = BTreeMap::new();
     for (&(mesh, count), fitted) in wanted.iter().zip(fits) {
         let name = file_name(mesh);
@@ -171,7 +167,7 @@ pub fn load_scene_with<'a>(
             models[mesh].parts.iter().map(|p| &p.mesh),
             &fitted,
         ));
-        sets.insert((mesh, count), fitted.set);
+        sets.insert((mesh, count), fitted.what);
     }
     for (mesh, model) in &models {
         let parts: Vec<&Mesh> = model.parts.iter().map(|p| &p.mesh).collect();
@@ -189,7 +185,7 @@ pub fn load_scene_with<'a>(
     for (entry, clip) in file.objects.iter().zip(clips) {
         let (first, mesh) = (objects.len(), entry.mesh.as_path());
         let model = &models[mesh];
-        let mut set = &sets[&(mesh, entry.spheres)];
+        let mut set: &SphereSet = &sets[&(mesh, entry.spheres)];
         if let (Some(clip), Some(figure)) = (clip, &model.figure) {
             let moving = rigs.moving((mesh, entry.spheres, clip), model, figure, set)?;
             report.moves.push(moving.sentence.clone());
@@ -239,74 +235,17 @@ pub fn load_scene_with<'a>(
     Ok(loaded)
 }
 
-/// A sphere set and how it came about.
-pub(crate) struct Fitted {
-    pub(crate) set: SphereSet,
-    time: Duration,
-    cached: bool,
-}
-
-/// Fits spheres to several meshes, each given as parts and a count, side by side; or takes them from the cache.
-pub(crate) fn fit_all<'a>(
-    meshes: impl Iterator<Item = (Vec<&'a Mesh>, usize)>,
-    cache: Option<&Cache>,
-    progress: &(dyn Fn(Progress) + Sync),
-) -> Vec<Fitted> {
-    /// Steps of a mesh for each of its spheres, and as if it had some more: what a fit takes whatever its size.
-    const STEPS: usize = 100;
-    const MORE: usize = 8;
-    let meshes: Vec<_> = meshes.collect();
-    let steps = |count: usize| STEPS * (count + MORE);
-    let total = meshes.iter().map(|(_, count)| steps(*count)).sum();
-    let sum = AtomicUsize::new(0);
-    let tell = |more: usize| {
-        let done = sum.fetch_add(more, Ordering::Relaxed) + more;
-        progress(Progress {
-            stage: "fitting spheres",
-            done,
-            total,
-        });
-    };
-    tell(0);
-    let fit = |(parts, count): &(Vec<&Mesh>, usize)| {
-        let start = Instant::now();
-        let (all, told) = (steps(*count), AtomicUsize::new(0));
-        // Parts come in any order from several threads: what counts is the largest so far.
-        let part = |part: f32| {
-            let now = ((part * all as f32) as usize).min(all);
-            let before = told.fetch_max(now, Ordering::Relaxed);
-            tell(now.saturating_sub(before));
-        };
-        let found = cache.and_then(|cache| cache.find(parts, *count));
-        let cached = found.is_some();
-        let set = found.unwrap_or_else(|| {
-            let set = SphereSet::fit_with(parts, *count, &part);
-            if let Some(cache) = cache {
-                cache.keep(parts, *count, &set);
-            }
-            set
-        });
-        part(1.0);
-        Fitted {
-            set,
-            time: start.elapsed(),
-            cached,
-        }
-    };
-    meshes.par_iter().map(fit).collect()
-}
-
 impl FitReport {
     pub(crate) fn new<'a>(
         name: String,
         meshes: impl Iterator<Item = &'a Mesh>,
-        fitted: &Fitted,
+        fitted: &Found<SphereSet>,
     ) -> Self {
         Self {
             name,
             triangles: meshes.map(|mesh| mesh.triangles.len()).sum(),
-            spheres: fitted.set.spheres.len(),
-            outside_volume_ratio: fitted.set.outside_volume_ratio,
+            spheres: fitted.what.spheres.len(),
+            outside_volume_ratio: fitted.what.outside_volume_ratio,
             time: fitted.time,
             cached: fitted.cached,
         }

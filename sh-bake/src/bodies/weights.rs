@@ -1,16 +1,15 @@
 //! The weights of a scene's bodies.
 
-use crate::cache::{Cache, weights_key};
+use super::once::{Bake, once};
+use crate::cache::{Baked, Cache, Ingredients, Key, fours};
 use crate::progress::Progress;
-use crate::weights::{Pose, of_poses};
+use crate::weights::{Pose, WEIGHTS_VERSION, Weights, log, of_poses, transfer};
 use glam::{DVec3, Vec3};
-use rayon::prelude::*;
+use sh_core::seen::Seen;
 use sh_scene::motion::Motion;
 use sh_scene::{Object, Scene};
-use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Poses of a clip that weights are found in.
 const POSES: usize = 4;
@@ -67,60 +66,101 @@ pub(crate) fn weigh(
         motion.pose(0.0, scene);
     }
 
-    let mut wanted: BTreeMap<String, usize> = BTreeMap::new();
-    let mut keys = Vec::new();
-    for (b, body) in bodies.iter().enumerate() {
-        let up = scene.objects.get(body.start).map_or(DVec3::Y, up);
-        let key = weights_key(&poses[b], up);
-        wanted.entry(key.clone()).or_insert(b);
-        keys.push((key, up));
-    }
-    let total = wanted
-        .values()
-        .map(|&b| 1 + poses[b][0].spheres.len())
-        .sum();
-    let sum = AtomicUsize::new(0);
-    let tell = |more: usize| {
-        let done = sum.fetch_add(more, Ordering::Relaxed) + more;
-        let stage = "weighing spheres";
-        progress(Progress { stage, done, total });
-    };
-    tell(0);
-    let find = |(key, &b): (&String, &usize)| {
-        let start = Instant::now();
-        let count = poses[b][0].spheres.len();
-        let found = cache.and_then(|cache| cache.find_weights(key, count));
-        let cached = found.is_some();
-        let weights = found.unwrap_or_else(|| {
-            let weights = of_poses(&poses[b], keys[b].1);
-            if let Some(cache) = cache {
-                cache.keep_weights(key, &weights);
-            }
-            weights
-        });
-        tell(1 + count);
-        (key.clone(), (weights, start.elapsed(), cached))
-    };
-    let found: BTreeMap<_, _> = wanted.par_iter().map(find).collect();
-
+    let ups = bodies
+        .iter()
+        .map(|body| scene.objects.get(body.start).map_or(DVec3::Y, up));
+    let wanted: Vec<Weighed> = poses
+        .into_iter()
+        .zip(ups)
+        .map(|(poses, up)| Weighed { poses, up })
+        .collect();
+    let found = once(&wanted, cache, progress);
     let mut reports = Vec::new();
-    for (b, (body, (key, _))) in bodies.iter().zip(&keys).enumerate() {
-        let (Some(object), Some((weights, time, cached))) =
-            (scene.objects.get_mut(body.start), found.get(key))
-        else {
+    for (body, found) in bodies.iter().zip(found) {
+        let Some(object) = scene.objects.get_mut(body.start) else {
             continue;
         };
-        object.weights.clone_from(weights);
-        if wanted.get(key) == Some(&b) {
+        object.weights.clone_from(&found.what.0);
+        if found.first {
             reports.push(WeightReport {
                 name: object.name.clone(),
-                spheres: weights.len(),
-                time: *time,
-                cached: *cached,
+                spheres: found.what.0.len(),
+                time: found.time,
+                cached: found.cached,
             });
         }
     }
     reports
+}
+
+/// The spheres of a body: found by its shape in all poses that are looked at, its spheres, where up is, and what the shadow
+/// pass makes of blockers.
+struct Weighed {
+    poses: Vec<Pose>,
+    up: DVec3,
+}
+
+impl Weighed {
+    fn spheres(&self) -> usize {
+        self.poses.first().map_or(0, |pose| pose.spheres.len())
+    }
+}
+
+impl Bake for Weighed {
+    type Baked = Weights;
+
+    const STAGE: &'static str = "weighing spheres";
+
+    fn key(&self) -> Key {
+        let mut key = Ingredients::<Weights>::new();
+        // Whatever is fitted anew in the shadow pass shows here.
+        for sine in [0.1, 0.5, 0.9, 1.0] {
+            let cosine = f64::sqrt(1.0 - sine * sine);
+            let seen = Seen {
+                sine,
+                cosine,
+                direction: [0.6, 0.0, 0.8],
+            };
+            let transfer = transfer(&log(&seen), [0.0, 1.0, 0.0]);
+            key.numbers(transfer.map(|number| number as f32));
+        }
+        key.numbers(self.up.as_vec3().to_array());
+        for pose in &self.poses {
+            key.spheres(&pose.spheres);
+            for mesh in &pose.meshes {
+                key.mesh(mesh);
+            }
+        }
+        key.key()
+    }
+
+    fn steps(&self) -> usize {
+        1 + self.spheres()
+    }
+
+    fn make(&self, _: &(dyn Fn(usize) + Sync)) -> Weights {
+        Weights(of_poses(&self.poses, self.up))
+    }
+
+    fn kept(&self, kept: Weights) -> Option<Weights> {
+        Some(kept).filter(|weights| weights.0.len() == self.spheres())
+    }
+}
+
+impl Baked for Weights {
+    const NAME: &str = "weights";
+    const VERSION: u32 = WEIGHTS_VERSION;
+    /// It holds 4096 weights.
+    const MOST: u64 = 1 << 15;
+
+    fn encoded(&self) -> Vec<u8> {
+        self.0.iter().flat_map(|w| w.to_le_bytes()).collect()
+    }
+
+    fn decoded(bytes: &[u8]) -> Option<Self> {
+        let weights = fours(bytes, f32::from_le_bytes)?;
+        weights.iter().all(|w| *w >= 0.0).then_some(Self(weights))
+    }
 }
 
 /// Where up is in an object's space, in steps: turning about it changes nothing.

@@ -4,8 +4,6 @@ use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// The first bytes of a file say what it holds.
-pub(super) type Magic = [u8; 16];
 /// The last bytes of a file are a hash of this length.
 const HASH: usize = 32;
 
@@ -49,7 +47,7 @@ impl Cache {
     }
 
     /// What a file holds between its magic and its hash, if it is there, whole, and no longer than `most` bytes.
-    pub(super) fn read(&self, name: &str, magic: &Magic, most: u64) -> Option<Vec<u8>> {
+    pub(super) fn read(&self, name: &str, magic: &[u8], most: u64) -> Option<Vec<u8>> {
         let path = self.folder.join(name);
         let length = std::fs::metadata(&path).ok()?.len();
         let mut bytes = (length <= most).then(|| std::fs::read(&path).ok())??;
@@ -64,7 +62,7 @@ impl Cache {
     }
 
     /// Writes a file, if it can.
-    pub(super) fn write(&self, name: &str, magic: &Magic, content: &[u8]) {
+    pub(super) fn write(&self, name: &str, magic: &[u8], content: &[u8]) {
         static NUMBER: AtomicUsize = AtomicUsize::new(0);
         let path = self.folder.join(name);
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
@@ -80,17 +78,4 @@ impl Cache {
             let _ = std::fs::remove_file(&part);
         }
     }
-}
-
-/// A hash as a file's name.
-pub(super) fn named(hash: Sha256) -> String {
-    let digits = hash.finalize();
-    digits.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-/// Numbers of four bytes each, or none where a byte is left over.
-pub(super) fn fours<T>(bytes: &[u8], from: fn([u8; 4]) -> T) -> Option<Vec<T>> {
-    let (fours, rest) = bytes.as_chunks::<4>();
-    rest.is_empty()
-        .then(|| fours.iter().map(|four| from(*four)).collect())
 }

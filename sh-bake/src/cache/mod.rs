@@ -6,11 +6,8 @@
 //! name first, so that several programs can share the folder. Where it cannot be written, nothing is kept, and that is
 //! no error.
 
+mod baked;
 mod folder;
-mod spheres;
-mod surfaces;
-mod weights;
 
+pub(crate) use baked::{Baked, Ingredients, Key, fours};
 pub use folder::Cache;
-pub(crate) use surfaces::key as surface_key;
-pub(crate) use weights::key as weights_key;

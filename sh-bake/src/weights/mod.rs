@@ -22,6 +22,9 @@ use solve::Receiver;
 /// Changes whenever the same body may get other weights than before: those that were kept are then of no use.
 pub(crate) const WEIGHTS_VERSION: u32 = 2;
 
+/// How much each sphere of a body counts as a blocker.
+pub(crate) struct Weights(pub(crate) Vec<f32>);
+
 /// A body in one of its poses.
 pub(crate) struct Pose {
     pub(crate) meshes: Vec<Mesh>,
