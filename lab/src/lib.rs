@@ -6,6 +6,7 @@
 //! | `gaunt-lab bench` | [`mod@bench`]: times of moving scenes, stage by stage |
 //! | `gaunt-lab validate` | [`validate`]: spherical lights against the path tracer |
 //! | `gaunt-lab spheres` | [`spheres`]: how tight sphere sets are |
+//! | `gaunt-lab basis` | [`basis`]: in how few functions a body's irradiance can be written |
 //! | `gaunt-lab fit` | [`fit`]: the fitted constants of the library, from their definitions |
 //!
 //! ```
@@ -14,6 +15,7 @@
 //! ```
 
 pub mod accuracy;
+pub mod basis;
 pub mod bench;
 pub mod fit;
 pub mod spheres;

@@ -4,7 +4,7 @@ use clap::{Args, Parser, Subcommand};
 use gaunt::Error;
 use gaunt::program::size;
 use gaunt::render::Backend;
-use gaunt_lab::{accuracy, bench, fit, spheres, validate};
+use gaunt_lab::{accuracy, basis, bench, fit, spheres, validate};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -65,6 +65,17 @@ enum Command {
         /// Numbers of spheres
         #[arg(long, value_delimiter = ',', default_value = "8,16,32,64,128", value_parser = clap::value_parser!(u16).range(1..=4096))]
         counts: Vec<u16>,
+        /// Write all rows to this file, too
+        #[arg(long, value_name = "FILE.json")]
+        json: Option<PathBuf>,
+    },
+    /// Measure in how few functions the irradiance on a body can be written
+    ///
+    /// Prints a table: what is left of the light of a lamp in twelve places, traced path by path, over its mean, with functions
+    /// found for the body and with cosines and spherical harmonics of position (Iwasaki et al. 2007, figure 10).
+    Basis {
+        /// Mesh files; without one, a ball, a box and a torus knot made by code
+        meshes: Vec<PathBuf>,
         /// Write all rows to this file, too
         #[arg(long, value_name = "FILE.json")]
         json: Option<PathBuf>,
@@ -146,6 +157,7 @@ fn run(command: Command) -> Result<String, Error> {
             counts: counts.into_iter().map(usize::from).collect(),
             json,
         }),
+        Command::Basis { meshes, json } => basis::run(&basis::Options { meshes, json }),
         Command::Fit { out, only } => fit::write(&out, only.as_deref()),
     }
 }

@@ -87,6 +87,7 @@
 //! blocker_angle = 25           # degrees: groups of spheres below this angular radius count as one; 0 to 30, 0 for none
 //! ```
 
+mod basis;
 mod bodies;
 mod cache;
 mod choices;
@@ -106,12 +107,14 @@ mod obj;
 mod objects;
 mod progress;
 mod raw;
+mod rays;
 mod scene_file;
 pub mod shapes;
 mod spheres;
 mod surface;
 mod weights;
 
+pub use basis::{BasisSample, IrradianceBasis};
 pub use bodies::{SurfaceReport, WeightReport};
 pub use cache::Cache;
 pub use choices::Choices;

@@ -28,14 +28,15 @@ mod part;
 mod rules;
 mod shell;
 
+pub(crate) use paint::{albedo, normal};
 pub(crate) use part::Part;
+pub(crate) use shell::Crossing;
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use rules::{Body, Seen};
 use sh_scene::surface::{DIRECTIONS, cell_of, directions, stratified};
 use sh_scene::{Material, Mesh, Sphere, SurfacePoint, SurfaceSamples};
-use shell::Crossing;
 use std::sync::LazyLock;
 
 /// Changes whenever the same body may get other samples than before: those that were kept are then of no use.

@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 use sh_scene::{Material, Mesh};
 
 /// Reflectance at a crossing, each channel in 0..=1: base colour, texture and vertex colour. What is no number is 0.
-pub(super) fn albedo((mesh, material): &Part, crossing: &Crossing) -> Vec3 {
+pub(crate) fn albedo((mesh, material): &Part, crossing: &Crossing) -> Vec3 {
     let corners = corners(mesh, crossing);
     let mut color = Vec3::from(material.albedo);
     if let Material {
@@ -30,7 +30,7 @@ pub(super) fn albedo((mesh, material): &Part, crossing: &Crossing) -> Vec3 {
 
 /// The unit normal at a crossing, on the side to which `outward` points: the vertices' or, where they have none, the
 /// triangle's.
-pub(super) fn normal((mesh, _): &Part, crossing: &Crossing, outward: DVec3) -> DVec3 {
+pub(crate) fn normal((mesh, _): &Part, crossing: &Crossing, outward: DVec3) -> DVec3 {
     let corners = corners(mesh, crossing);
     let face = corners.and_then(|i| among(&mesh.positions, i)).map(|t| {
         let [a, b, c] = t.map(|p| DVec3::from(p.map(f64::from)));

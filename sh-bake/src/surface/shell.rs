@@ -31,15 +31,15 @@ pub(super) struct Shell {
 
 /// A place where a line goes through a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Crossing {
+pub(crate) struct Crossing {
     /// Along the line's direction, below 0 behind its origin.
-    pub(super) distance: f64,
-    pub(super) part: u32,
-    pub(super) triangle: u32,
+    pub(crate) distance: f64,
+    pub(crate) part: u32,
+    pub(crate) triangle: u32,
     /// What the place has of each corner.
-    pub(super) weights: [f64; 3],
+    pub(crate) weights: [f64; 3],
     /// Whether the line leaves by it, where triangles turn counter-clockwise seen from outside.
-    pub(super) leaves: bool,
+    pub(crate) leaves: bool,
 }
 
 struct Bounds(Aabb);

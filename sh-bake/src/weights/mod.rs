@@ -8,14 +8,14 @@
 //! One set serves all orders; it is found at order 4. docs/SPHERES.md has figures.
 
 mod places;
-mod rays;
+
 mod solve;
 
 pub(crate) use solve::{log, transfer};
 
+use crate::rays::Rays;
 use glam::DVec3;
 use places::Place;
-use rays::Rays;
 use sh_scene::{Mesh, Sphere};
 use solve::Receiver;
 

@@ -1,10 +1,10 @@
-//! Whether a body blocks rays.
+//! Rays and a body: whether it blocks them, and where they meet it.
 
 use glam::{DVec3, Vec3A};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
-use obvhs::ray::Ray;
+use obvhs::ray::{Ray, RayHit};
 use obvhs::triangle::Triangle;
 use obvhs::{Boundable, BvhBuildParams};
 use sh_scene::Mesh;
@@ -14,11 +14,11 @@ use std::time::Duration;
 const PAD: f32 = 1e-5;
 
 /// All triangles of a body, and the ball that they are looked at in.
-pub(super) struct Rays {
+pub(crate) struct Rays {
     triangles: Vec<Triangle>,
     hierarchy: Bvh2,
-    pub(super) center: DVec3,
-    pub(super) radius: f64,
+    pub(crate) center: DVec3,
+    pub(crate) radius: f64,
     /// Of all corners, from the centre.
     corners: Vec<DVec3>,
 }
@@ -33,7 +33,7 @@ impl Boundable for Bounds {
 
 impl Rays {
     /// None where there is no triangle of any extent.
-    pub(super) fn new(meshes: &[Mesh]) -> Option<Self> {
+    pub(crate) fn new(meshes: &[Mesh]) -> Option<Self> {
         let mut corners: Vec<[DVec3; 3]> = Vec::new();
         for mesh in meshes {
             let at = |i: u32| {
@@ -84,15 +84,38 @@ impl Rays {
     }
 
     /// How far the body reaches along a direction at its lowest, from the centre.
-    pub(super) fn lowest(&self, direction: DVec3) -> f64 {
+    pub(crate) fn lowest(&self, direction: DVec3) -> f64 {
         let along = self.corners.iter().map(|p| p.dot(direction));
         along.fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether a ray meets the body.
-    pub(super) fn meet(&self, from: DVec3, direction: DVec3) -> bool {
+    /// Of all triangles together.
+    pub(crate) fn area(&self) -> f64 {
+        let of = |t: &Triangle| 0.5 * (t.v1 - t.v0).cross(t.v2 - t.v0).as_dvec3().length();
+        self.triangles.iter().map(of).sum::<f64>() * self.radius.powi(2)
+    }
+
+    /// Where a ray first meets the body.
+    pub(crate) fn first(&self, from: DVec3, direction: DVec3) -> Option<DVec3> {
         let origin: Vec3A = ((from - self.center) / self.radius).as_vec3a();
         let ray = Ray::new_inf(origin, direction.as_vec3a());
+        let mut nearest = RayHit::none();
+        let found = self.hierarchy.ray_traverse(ray, &mut nearest, |ray, id| {
+            self.triangles[id].intersect(ray)
+        });
+        found.then(|| from + direction * (f64::from(nearest.t) * self.radius))
+    }
+
+    /// Whether a ray meets the body.
+    pub(crate) fn meet(&self, from: DVec3, direction: DVec3) -> bool {
+        self.between(from, direction, f64::INFINITY)
+    }
+
+    /// Whether a ray meets the body before it has come so far.
+    pub(crate) fn between(&self, from: DVec3, direction: DVec3, far: f64) -> bool {
+        let origin: Vec3A = ((from - self.center) / self.radius).as_vec3a();
+        let far = (far / self.radius) as f32;
+        let ray = Ray::new(origin, direction.as_vec3a(), 0.0, far);
         !self
             .hierarchy
             .ray_traverse_miss(ray, |ray, id| self.triangles[id].intersect(ray))

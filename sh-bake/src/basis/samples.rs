@@ -1,0 +1,65 @@
+//! Points spread over a body's surface.
+
+use super::BasisSample;
+use crate::surface::{Crossing, Part, albedo, normal};
+use glam::{DVec3, Vec3};
+
+/// So many points, each for as much area as the others; none where there is no triangle of any extent.
+pub(super) fn samples(parts: &[Part], count: usize) -> Vec<BasisSample> {
+    let mut ends = Vec::new();
+    let mut area = 0.0;
+    for (part, (mesh, _)) in parts.iter().enumerate() {
+        for (triangle, corners) in mesh.triangles.iter().enumerate() {
+            let at = |i: u32| {
+                let p = DVec3::from(mesh.positions.get(i as usize)?.map(f64::from));
+                p.is_finite().then_some(p)
+            };
+            if let [Some(a), Some(b), Some(c)] = corners.map(at) {
+                let across = (b - a).cross(c - a);
+                if across.length() > 0.0 && across.is_finite() {
+                    area += 0.5 * across.length();
+                    ends.push((area, part, triangle, [a, b, c]));
+                }
+            }
+        }
+    }
+    let spread = |k: usize| {
+        let wanted = area * (k as f64 + 0.5) / count as f64;
+        let at = ends.partition_point(|(end, ..)| *end <= wanted);
+        let (_, part, triangle, [a, b, c]) = *ends.get(at.min(ends.len().checked_sub(1)?))?;
+        // A sequence that fills a square evenly, however many of its points in a row are taken (Roberts 2018, R2), and the
+        // square as a triangle.
+        let [u, v] =
+            [0.754_877_666_246_693, 0.569_840_290_998_053].map(|r: f64| (r * k as f64).fract());
+        let root = u.sqrt();
+        let weights = [1.0 - root, root * (1.0 - v), root * v];
+        let crossing = Crossing {
+            distance: 0.0,
+            part: part as u32,
+            triangle: triangle as u32,
+            weights,
+            leaves: false,
+        };
+        let [wa, wb, wc] = weights;
+        let outward = (b - a).cross(c - a).normalize();
+        Some(BasisSample {
+            position: (a * wa + b * wb + c * wc).as_vec3().into(),
+            normal: outside(&parts[part], &crossing, outward).into(),
+            albedo: albedo(&parts[part], &crossing).into(),
+        })
+    };
+    (0..count).filter_map(spread).collect()
+}
+
+/// The normal, on the side to which the vertices' normals point, or, without these, that of the triangle's winding.
+fn outside(part: &Part, crossing: &Crossing, winding: DVec3) -> Vec3 {
+    let (mesh, _) = part;
+    let corners = mesh.triangles[crossing.triangle as usize];
+    let normals = corners.map(|i| mesh.normals.get(i as usize).copied());
+    let sum: Vec3 = normals.iter().flatten().map(|n| Vec3::from(*n)).sum();
+    let outward = match winding.as_vec3().dot(sum) < 0.0 {
+        true => -winding,
+        false => winding,
+    };
+    normal(part, crossing, outward).as_vec3()
+}
