@@ -18,6 +18,29 @@ pub struct Ball {
     pub radius: f32,
 }
 
+impl Ball {
+    /// The ball about a centre.
+    pub fn new(center: [f32; 3], radius: f32) -> Self {
+        Self {
+            center: center.into(),
+            radius,
+        }
+    }
+
+    /// The power of a point against it, |c − p|² − r²: the square of a tangent's length.
+    ///
+    /// ```
+    /// use sh_scene::order::Ball;
+    /// use glam::Vec3;
+    /// let ball = Ball::new([0.0, 0.0, 5.0], 3.0);
+    /// assert_eq!(ball.power(Vec3::ZERO), 4.0 * 4.0);
+    /// assert_eq!(ball.power(ball.center), -3.0 * 3.0);
+    /// ```
+    pub fn power(&self, from: Vec3) -> f32 {
+        self.center.distance_squared(from) - self.radius * self.radius
+    }
+}
+
 /// Half of the distance over which the order of two spheres changes, whose centres are so far `apart`: the radius of the
 /// circle in which they cut each other, at least [`SHARPEST`] of the smaller one's radius.
 ///
@@ -55,7 +78,7 @@ pub fn share_of([hidden, hider]: [&Ball; 2], from: Vec3) -> f32 {
     let apart = hidden.center.distance(hider.center);
     let width = swap_width(hidden.radius, hider.radius, apart);
     let slope = 1.0 / (4.0 * width * apart).max(f32::MIN_POSITIVE);
-    let lead = power(hidden, from) - power(hider, from);
+    let lead = hidden.power(from) - hider.power(from);
     (0.5 + lead * slope.min(f32::MAX)).clamp(0.0, 1.0)
 }
 
@@ -108,13 +131,13 @@ impl Pair {
 
     /// How much of what the blocker covers of the lamp it hides from a place.
     pub fn hides(&self, lamp: &Ball, blocker: &Ball, from: Vec3) -> f32 {
-        let lead = power(lamp, from) - power(blocker, from);
+        let lead = lamp.power(from) - blocker.power(from);
         self.most * (0.5 + lead * self.slope.min(f32::MAX)).clamp(0.0, 1.0)
     }
 
     /// Whether the blocker hides all that it covers from every place of a cluster.
     pub fn is_settled(&self, lamp: &Ball, blocker: &Ball, middle: Vec3, radius: f32) -> bool {
-        let lead = power(lamp, middle) - power(blocker, middle);
+        let lead = lamp.power(middle) - blocker.power(middle);
         self.most >= 1.0 && lead >= self.settled + self.twice * radius
     }
 }
@@ -123,9 +146,4 @@ impl Pair {
 pub fn is_clear(lamp: &Ball, blocker: &Ball) -> bool {
     let reach = lamp.radius + blocker.radius;
     lamp.center.distance_squared(blocker.center) >= reach * reach
-}
-
-/// The power of a point against a sphere: the square of a tangent's length.
-fn power(ball: &Ball, from: Vec3) -> f32 {
-    ball.center.distance_squared(from) - ball.radius * ball.radius
 }

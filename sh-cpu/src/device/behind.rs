@@ -10,6 +10,7 @@
 
 use super::accumulate::{Blockers, Point, above, dot, each, seen_from, whole};
 use super::horizon::is_far;
+use super::order::{power, share};
 use glam::Vec3;
 use sh_core::constants::{ASIDE, ASIDE_EDGE, MOST_LAMPS, NEAR, NEAREST, REACH, STEEP, WIDENED};
 use sh_core::{Lane, Routines};
@@ -190,17 +191,11 @@ impl Behind {
 /// A lamp that may be before a blocker: a ball, of those that are told apart.
 fn ball(index: usize, emitter: &Emitter) -> Option<Ball> {
     let local = emitter.local != 0.0 && index < MOST_LAMPS;
-    local.then(|| Ball {
-        center: emitter.center.into(),
-        radius: emitter.radius,
-    })
+    local.then(|| Ball::new(emitter.center, emitter.radius))
 }
 
 fn ball_of(blocker: &Blocker) -> Ball {
-    Ball {
-        center: blocker.center.into(),
-        radius: blocker.radius,
-    }
+    Ball::new(blocker.center, blocker.radius)
 }
 
 /// Whether a blocker is aside of a lamp for every receiver of a cluster.
@@ -233,7 +228,7 @@ where
     let (zero, one) = (point.object.lift(0.0), point.object.lift(1.0));
     let away = seen_from(&emitter.center, point);
     let square = |radius: f32| zero.lift(f64::from(radius) * f64::from(radius));
-    let lamp = dot(away, away) - square(emitter.radius);
+    let lamp = power(away, emitter.radius);
     let inverse = one / dot(away, away).sqrt().max(zero.lift(NEAREST));
     let direction = each(
         #[inline(always)]
@@ -246,11 +241,7 @@ where
         if change.parted {
             // Most are before the lamp, or aside of it, for all of these receivers, and need not be looked at closely.
             let center = seen_from(&blocker.center, point);
-            let (far, own) = (dot(center, center), square(blocker.radius));
-            let share = (lamp - (far - own))
-                .mul_add(zero.lift(f64::from(change.slope)), zero.lift(0.5))
-                .max(zero)
-                .min(one);
+            let share = share(change.slope, lamp, power(center, blocker.radius));
             left = share.mul_add(zero.lift(f64::from(change.most)), -one);
             // For a sphere s of radius r within a ball c of radius R: (d · s + r) / |s| is at most (d · c + R) / (|c| − R).
             let wide = if change.in_front {
@@ -260,6 +251,7 @@ where
             };
             let edge = dot(direction, center) + zero.lift(f64::from(wide * blocker.radius));
             let edge = edge.max(zero);
+            let far = dot(center, center);
             let near = L::any((far * zero.lift(ASIDE * ASIDE)).lt(edge * edge))
                 || L::any(far.lt(square(NEAR * blocker.radius)));
             if change.base == 0.0 && !(near && L::any(left.lt(zero))) {

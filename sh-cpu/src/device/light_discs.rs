@@ -17,6 +17,7 @@ use super::accumulate::{Point, dot};
 use super::emission::Emission;
 use super::light_cut::{ALWAYS, LightCut, Met};
 use super::light_sent::At;
+use super::order::share;
 use sh_core::constants::{
     ANGLE_CONSTANT, ANGLE_CUBIC, ANGLE_LINEAR, ANGLE_SQUARE, ANGLES_ERR, ROOM,
 };
@@ -96,7 +97,7 @@ where
             let (mut hidden, mut seen) = (covered, other.left);
             if hider.share != ALWAYS {
                 let (farther, nearer) = (at.power(met), at.power(&cut.spheres[j]));
-                let share = at.share(hider.share, farther, nearer);
+                let share = share(hider.share, farther, nearer);
                 hidden = covered * share;
                 let ahead = (share + share - one).max(zero);
                 seen = (seen - one).mul_add(ahead, one);

@@ -1,9 +1,10 @@
 //! What spheres send to receivers.
 
-use super::accumulate::{Point, dot, each, look, seen_from};
+use super::accumulate::{Point, each, look, seen_from};
 use super::emission::Emission;
 use super::light::reflected;
 use super::light_cut::Met;
+use super::order::power;
 use sh_core::seen::Seen;
 use sh_core::{Lane, Routines};
 
@@ -33,20 +34,13 @@ impl<'a, L: Lane> At<'a, L> {
         look(&met.blocker, met.in_front, &self.point)
     }
 
-    /// |c − p|² − r².
+    /// Their power against a sphere.
     #[inline(always)]
     pub(super) fn power(&self, met: &Met) -> L {
-        let away = seen_from(&met.blocker.center, &self.point);
-        let radius = f64::from(met.blocker.radius);
-        dot(away, away) - self.point.object.lift(radius * radius)
-    }
-
-    /// The share of what a nearer sphere covers that it hides of a farther one.
-    #[inline(always)]
-    pub(super) fn share(&self, share: f32, farther: L, nearer: L) -> L {
-        let half = farther.lift(0.5);
-        let share = (farther - nearer).mul_add(farther.lift(f64::from(share)), half);
-        share.max(farther.lift(0.0)).min(farther.lift(1.0))
+        power(
+            seen_from(&met.blocker.center, &self.point),
+            met.blocker.radius,
+        )
     }
 
     /// Adds what a sphere gives of which `visible` is seen, the cosine included.

@@ -11,6 +11,7 @@ use super::accumulate::Point;
 use super::emission::Emission;
 use super::light_cut::{ALWAYS, LightCut, Met, NEVER};
 use super::light_sent::At;
+use super::order::share;
 use sh_core::seen::Seen;
 use sh_core::{Lane, ROOT_FOUR_PI, Routines};
 use std::ops::Range;
@@ -168,7 +169,7 @@ where
                     }
                 } else {
                     let (own, others) = (self.at.power(met), self.at.power(&cut.spheres[j]));
-                    let share = self.at.share(slope, own, others);
+                    let share = share(slope, own, others);
                     for (nearer, other) in nearer.iter_mut().zip(other) {
                         *nearer = share.mul_add(*other, *nearer);
                     }

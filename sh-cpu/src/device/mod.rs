@@ -18,6 +18,7 @@ pub(crate) mod light_order;
 pub(crate) mod light_sent;
 pub(crate) mod light_sums;
 pub(crate) mod logs;
+mod order;
 pub(crate) mod outline;
 pub(crate) mod ratio;
 pub(crate) mod rays;

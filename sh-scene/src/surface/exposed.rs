@@ -2,7 +2,7 @@
 
 use super::{MOST_COEFFICIENTS, SurfaceSamples, cell_sums, directions};
 use crate::Sphere;
-use crate::order::share_of;
+use crate::order::{Ball, share_of};
 use glam::Vec3;
 use sh_core::{ROOT_FOUR_PI, Routines};
 
@@ -93,7 +93,7 @@ impl SurfaceSamples {
 
 /// A sphere as it is seen from a place.
 struct Disc {
-    ball: crate::order::Ball,
+    ball: Ball,
     towards: Vec3,
     sine: f32,
     cosine: f32,
@@ -104,19 +104,16 @@ struct Disc {
 
 impl Disc {
     fn new(sphere: &Sphere, from: Vec3) -> Self {
-        let center = Vec3::from(sphere.center);
-        let to = center - from;
+        let ball = Ball::new(sphere.center, sphere.radius);
+        let to = ball.center - from;
         let distance = to.length();
         let sine = (sphere.radius / distance.max(f32::MIN_POSITIVE)).min(1.0);
         Self {
-            ball: crate::order::Ball {
-                center,
-                radius: sphere.radius,
-            },
+            ball,
             towards: to / distance.max(f32::MIN_POSITIVE),
             sine,
             cosine: (1.0 - sine * sine).sqrt(),
-            power: to.length_squared() - sphere.radius * sphere.radius,
+            power: ball.power(from),
             left: 1.0,
         }
     }

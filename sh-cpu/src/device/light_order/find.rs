@@ -1,7 +1,7 @@
 //! A cluster's spheres in their order, and who hides whom.
 
 use super::gain::gain;
-use super::pairs::{by_bodies, by_spheres, joint, power};
+use super::pairs::{by_bodies, by_spheres, joint};
 use crate::device::cut::{CutOptions, Cuts};
 use crate::device::emission::Emission;
 use crate::device::light_cut::{ALWAYS, Cap, Hider, LightCut, Met, NEVER};
@@ -10,6 +10,7 @@ use crate::device::spherical_lights::SphericalLights;
 use crate::lanes::path::Path;
 use glam::Vec3;
 use rayon::prelude::*;
+use sh_scene::order::Ball;
 use sh_scene::{Blocking, Bounds, Forest, Receiver};
 use std::ops::Range;
 
@@ -110,7 +111,7 @@ impl LightCut {
                     in_front,
                     gain: gain(bounds.center, node as usize, blocker.radius, forest, lights),
                     hiders_end: 0,
-                    power: power(bounds.center, blocker.center.into(), blocker.radius),
+                    power: Ball::new(blocker.center, blocker.radius).power(bounds.center),
                 });
             }
         }

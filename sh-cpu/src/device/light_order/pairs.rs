@@ -4,12 +4,7 @@ use crate::device::emission::Emission;
 use crate::device::light_cut::{ALWAYS, Met, NEVER};
 use glam::Vec3;
 use sh_scene::Forest;
-use sh_scene::order::{SHARPEST, swap_width};
-
-/// The power of a point against a sphere: the square of a tangent's length.
-pub(super) fn power(from: Vec3, center: Vec3, radius: f32) -> f32 {
-    center.distance_squared(from) - radius * radius
-}
+use sh_scene::order::{Ball, SHARPEST, swap_width};
 
 /// Whether two are spheres of one body that intersect.
 pub(super) fn joint(pair: [&Met; 2], lights: &Emission) -> bool {
@@ -59,7 +54,7 @@ pub(super) fn by_bodies(
     }
     let whole = |body: u32| {
         let node = &forest.nodes()[lights.root(body) as usize];
-        (power(center, node.center.into(), node.radius), body)
+        (Ball::new(node.center, node.radius).power(center), body)
     };
     let (first, second) = (whole(a), whole(b));
     let in_order = first.0 < second.0 || first.0 == second.0 && first.1 < second.1;
