@@ -63,6 +63,20 @@ pub fn swap_width(a: f32, b: f32, apart: f32) -> f32 {
     circle.max(SHARPEST * smaller)
 }
 
+/// The slope with which the order of two spheres changes, whose centres are so far `apart`, over the `width` to each side of
+/// the plane of equal power: that of the share ½ + slope · (power of the hidden − power of the hider). The difference of
+/// powers changes by twice the distance of the centres a metre. Finite where there is no distance, too.
+///
+/// ```
+/// use sh_scene::order::swap_slope;
+/// // All is hidden from a width of 0.25 on, where the powers differ by 2 · 4 · 0.25.
+/// assert_eq!(swap_slope(0.25, 4.0) * 2.0, 0.5);
+/// assert!(swap_slope(0.25, 0.0).is_finite());
+/// ```
+pub fn swap_slope(width: f32, apart: f32) -> f32 {
+    1.0 / (2.0 * width * (2.0 * apart)).max(f32::MIN_POSITIVE)
+}
+
 /// The share of what the second of two spheres covers of the first that it hides from a place: 0 where it is behind, 1
 /// where it is in front.
 ///
@@ -77,9 +91,8 @@ pub fn swap_width(a: f32, b: f32, apart: f32) -> f32 {
 pub fn share_of([hidden, hider]: [&Ball; 2], from: Vec3) -> f32 {
     let apart = hidden.center.distance(hider.center);
     let width = swap_width(hidden.radius, hider.radius, apart);
-    let slope = 1.0 / (4.0 * width * apart).max(f32::MIN_POSITIVE);
     let lead = hidden.power(from) - hider.power(from);
-    (0.5 + lead * slope.min(f32::MAX)).clamp(0.0, 1.0)
+    (0.5 + lead * swap_slope(width, apart)).clamp(0.0, 1.0)
 }
 
 /// How a lamp and a blocker stand to each other, wherever they are seen from.
@@ -123,7 +136,7 @@ impl Pair {
         let width = swap_width(lamp.radius, blocker.radius, apart).max(gradual);
         Self {
             most: (out / (2.0 * lamp.radius)).clamp(0.0, 1.0),
-            slope: 1.0 / (2.0 * width * twice).max(f32::MIN_POSITIVE),
+            slope: swap_slope(width, apart),
             settled: twice * width,
             twice,
         }
@@ -132,7 +145,7 @@ impl Pair {
     /// How much of what the blocker covers of the lamp it hides from a place.
     pub fn hides(&self, lamp: &Ball, blocker: &Ball, from: Vec3) -> f32 {
         let lead = lamp.power(from) - blocker.power(from);
-        self.most * (0.5 + lead * self.slope.min(f32::MAX)).clamp(0.0, 1.0)
+        self.most * (0.5 + lead * self.slope).clamp(0.0, 1.0)
     }
 
     /// Whether the blocker hides all that it covers from every place of a cluster.

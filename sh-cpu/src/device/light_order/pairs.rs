@@ -4,7 +4,7 @@ use crate::device::emission::Emission;
 use crate::device::light_cut::{ALWAYS, Met, NEVER};
 use glam::Vec3;
 use sh_scene::Forest;
-use sh_scene::order::{Ball, SHARPEST, swap_width};
+use sh_scene::order::{Ball, SHARPEST, swap_slope, swap_width};
 
 /// Whether two are spheres of one body that intersect.
 pub(super) fn joint(pair: [&Met; 2], lights: &Emission) -> bool {
@@ -29,12 +29,10 @@ pub(super) fn by_spheres([near, far]: [&Met; 2], radius: f32) -> [f32; 2] {
     }
     let distance = square.sqrt();
     let width = swap_width(a, b, distance);
-    let twice = 2.0 * distance;
-    if difference >= twice * (radius + width) {
+    if difference >= 2.0 * distance * (radius + width) {
         return [ALWAYS, NEVER];
     }
-    let slope = 1.0 / (2.0 * width * twice).max(f32::MIN_POSITIVE);
-    [slope.min(f32::MAX); 2]
+    [swap_slope(width, distance); 2]
 }
 
 /// The same by the power of whole bodies: the nearer body hides all of the other.
