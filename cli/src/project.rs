@@ -1,7 +1,7 @@
 //! `gaunt project`: the SH coefficients of an environment map.
 
 use crate::Error;
-use sh_core::{Routines, project};
+use sh_core::{OrderError, Routines, project};
 use sh_scene::EnvironmentMap;
 use std::fmt::Write;
 
@@ -21,9 +21,7 @@ pub fn coefficients(map: &EnvironmentMap, order: usize) -> Result<Vec<[f64; 3]>,
         4 => Ok(of_order::<16>(map)),
         5 => Ok(of_order::<25>(map)),
         6 => Ok(of_order::<36>(map)),
-        _ => Err(Error::Usage(format!(
-            "the order is {order}, but it has to be 2, 3, 4, 5 or 6"
-        ))),
+        _ => Err(Error::Usage(OrderError(order).to_string())),
     }
 }
 

@@ -10,6 +10,7 @@
 //! # What there is
 //! - [`Sh`] (aliases [`Sh2`]…[`Sh6`], [`Sh2d`]…[`Sh6d`]) and [`ShRgb`]: vectors with their linear algebra.
 //! - [`Routines`]: what is generated for every order, on plain arrays and for any [`Lane`].
+//! - [`ORDERS`], and [`OrderError`] for any other.
 //! - [`exp`]: the SH exponential; [`log`] (feature `log`) and [`cap`]: logarithms of visibility.
 //! - [`project`]: environment maps to SH vectors.
 //! - [`convention`]: vectors as Unity, Unreal, Filament and three.js write them, and other axes.
@@ -64,6 +65,7 @@ mod generated;
 mod lane;
 #[cfg(feature = "log")]
 pub mod log;
+mod order;
 pub mod project;
 mod real;
 mod rgb;
@@ -73,5 +75,6 @@ mod vector;
 
 pub use generated::Routines;
 pub use lane::Lane;
+pub use order::{ORDERS, OrderError};
 pub use rgb::ShRgb;
 pub use vector::{ROOT_FOUR_PI, Sh, Sh2, Sh2d, Sh3, Sh3d, Sh4, Sh4d, Sh5, Sh5d, Sh6, Sh6d};

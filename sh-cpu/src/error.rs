@@ -5,11 +5,8 @@
 #[non_exhaustive]
 pub enum Error {
     /// An SH order without routines.
-    #[error("SH order {order} is not available: orders 2 to 6 are")]
-    Order {
-        /// The order asked for.
-        order: usize,
-    },
+    #[error(transparent)]
+    Order(#[from] sh_core::OrderError),
     /// An order of accumulation that there is not for a light.
     #[error(
         "logarithms of visibility for light of order {order} cannot be accumulated at order {accumulation}: orders {order} to 6 can"

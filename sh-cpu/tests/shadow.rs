@@ -5,7 +5,7 @@ mod common;
 
 use common::{Random, light_of, receiver};
 use glam::{Vec3, vec3};
-use sh_core::{Lane, Routines};
+use sh_core::{Lane, OrderError, Routines};
 use sh_cpu::{Cuts, Error, Outline, OutlineAll, Path, Point, irradiance, shade, shadow, shadow_on};
 use sh_scene::{EnvironmentMap, Light, Receiver, Sphere};
 
@@ -363,9 +363,9 @@ fn what_does_not_fit_is_refused() {
     );
     light.order = 7;
     let error = shadow(&receivers, &spheres, &light, 7, &mut radiance).unwrap_err();
-    assert_eq!(error, Error::Order { order: 7 });
+    assert_eq!(error, Error::Order(OrderError(7)));
     let error = irradiance(&receivers, &light, &mut radiance).unwrap_err();
-    assert_eq!(error, Error::Order { order: 7 });
+    assert_eq!(error, Error::Order(OrderError(7)));
     assert_eq!(
         radiance, [[7.0; 3]; 10],
         "nothing is written before a refusal"

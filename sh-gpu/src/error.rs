@@ -13,8 +13,8 @@
 #[non_exhaustive]
 pub enum Error {
     /// There are no kernels for this order.
-    #[error("SH order {0} is not supported: orders 2 to 6 are")]
-    Order(usize),
+    #[error(transparent)]
+    Order(#[from] sh_core::OrderError),
     /// There is no kernel that accumulates in this order for light of that one.
     #[error(
         "logarithms of visibility for light of order {order} cannot be accumulated at order {accumulation}: orders \

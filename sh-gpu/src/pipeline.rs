@@ -5,6 +5,7 @@ use crate::layout::Layout;
 use crate::pipelines::Specialisation;
 use crate::slot::{Slot, enough};
 use crate::{Bound, Error};
+use sh_core::OrderError;
 use sh_kernels::{Pass, WORKGROUP};
 use sh_scene::Tiles;
 use wgpu::{
@@ -22,7 +23,7 @@ pub(crate) fn texture_bytes(texture: &wgpu::Texture) -> u64 {
 pub(crate) fn module(device: &Device, of: Specialisation) -> Result<ShaderModule, Error> {
     let (pass, order, accumulation) = of;
     let Some(source) = sh_kernels::source(pass, order) else {
-        return Err(Error::Order(order));
+        return Err(OrderError(order).into());
     };
     let (name, refused) = (
         pass.name(),

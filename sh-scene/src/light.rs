@@ -1,7 +1,7 @@
 //! Environment light as SH vectors.
 
 use crate::{AreaLight, Emitter, EnvironmentMap, Ground};
-use sh_core::{Routines, ShRgb, project};
+use sh_core::{OrderError, Routines, ShRgb, project};
 
 /// All light of a scene, ready for the passes: an environment's radiance as three SH vectors of one order,
 /// windowed, and analytic lights.
@@ -22,8 +22,8 @@ pub struct Light {
 #[non_exhaustive]
 pub enum LightError {
     /// An order without routines.
-    #[error("the order is {0}, but it has to be 2, 3, 4, 5 or 6")]
-    Order(usize),
+    #[error(transparent)]
+    Order(#[from] OrderError),
     /// A window without width.
     #[error("the window's width is {0}, but it has to be above 0 (twice the order is usual)")]
     Window(f32),
@@ -95,7 +95,7 @@ impl Light {
             4 => coefficients::<16>(map, ground, window),
             5 => coefficients::<25>(map, ground, window),
             6 => coefficients::<36>(map, ground, window),
-            _ => return Err(LightError::Order(order)),
+            _ => return Err(OrderError(order).into()),
         };
         Ok(Self {
             order,
@@ -130,7 +130,7 @@ impl Light {
             4 => self.against(&<[f32; 16]>::cosine(normal)),
             5 => self.against(&<[f32; 25]>::cosine(normal)),
             6 => self.against(&<[f32; 36]>::cosine(normal)),
-            order => panic!("{}", LightError::Order(order)),
+            order => panic!("{}", OrderError(order)),
         }
     }
 
@@ -304,7 +304,7 @@ mod tests {
         for order in [0, 1, 7, 100] {
             assert_eq!(
                 Light::project(&map, None, order, 8.0),
-                Err(LightError::Order(order))
+                Err(LightError::Order(OrderError(order)))
             );
         }
         for window in [0.0, -1.0, f32::NAN] {

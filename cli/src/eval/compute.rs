@@ -3,7 +3,7 @@
 use super::{CapLog, LogMethod, Op, Request};
 use crate::exponential::{self, Real};
 use sh_core::log::{Logarithm, clipped_samples};
-use sh_core::{Routines, cap};
+use sh_core::{OrderError, Routines, cap};
 
 /// Degree of the rule that samples of a logarithm are taken on.
 const SAMPLES_DEGREE: usize = 100;
@@ -21,7 +21,7 @@ pub fn compute<L: Real>(request: &Request) -> Result<Vec<f64>, String> {
         4 => Ok(of_order::<L, 16>(&request.op)),
         5 => Ok(of_order::<L, 25>(&request.op)),
         6 => Ok(of_order::<L, 36>(&request.op)),
-        order => Err(format!("order {order} is not available: orders 2 to 6 are")),
+        order => Err(OrderError(order).to_string()),
     }
 }
 

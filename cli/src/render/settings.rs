@@ -1,6 +1,7 @@
 //! What the command line says instead of a scene's settings.
 
 use crate::Error;
+use sh_core::ORDERS;
 use sh_scene::{Quality, Settings};
 
 /// Settings that win over the scene's, and each over the quality's.
@@ -26,9 +27,11 @@ impl Overrides {
     pub fn check(&self) -> Result<(), Error> {
         let orders = [("order", self.order), ("accumulation", self.accumulation)];
         for (name, order) in orders {
-            if let Some(order) = order.filter(|order| !(2..=6).contains(order)) {
+            if let Some(order) = order.filter(|order| !ORDERS.contains(order)) {
                 return Err(Error::Usage(format!(
-                    "--{name} is {order}, but it has to be 2, 3, 4, 5 or 6"
+                    "--{name} is {order}, but it has to be {} to {}",
+                    ORDERS.start(),
+                    ORDERS.end()
                 )));
             }
         }

@@ -6,6 +6,7 @@ use super::state::{Facts, State};
 use super::wish::{Overlay, Shown};
 use crate::report::Stage;
 use egui::{Align, ComboBox, Layout, Rect, RichText, Slider, Ui, vec2};
+use sh_core::ORDERS;
 use sh_scene::{Blocking, Indirect, Limits, Quality};
 
 /// What the panel shows besides the state.
@@ -111,7 +112,7 @@ fn light(ui: &mut Ui, state: &mut State, hints: &Hints) {
     });
     row(ui, "SH order", hints.of("order"), |ui| {
         let mut order = settings.order;
-        if ui.add(Slider::new(&mut order, 2..=6)).changed() {
+        if ui.add(Slider::new(&mut order, ORDERS)).changed() {
             *settings = settings.with_order(order);
         }
     });

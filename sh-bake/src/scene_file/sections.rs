@@ -4,6 +4,7 @@ use super::content::SceneFile;
 use crate::error::Error;
 use crate::keys::{FAR, Section, albedo, beside};
 use glam::Vec3;
+use sh_core::ORDERS;
 use sh_scene::{Camera, Limits};
 use std::path::Path;
 
@@ -66,10 +67,10 @@ impl SceneFile {
 
     pub(super) fn read_settings(&mut self, s: &Section) -> Result<(), Error> {
         let settings = &mut self.settings;
-        if let Some(order) = s.count("order", 2..=6)? {
+        if let Some(order) = s.count("order", ORDERS)? {
             *settings = settings.with_order(order);
         }
-        if let Some(accumulation) = s.count("accumulation_order", 2..=6)? {
+        if let Some(accumulation) = s.count("accumulation_order", ORDERS)? {
             if accumulation < settings.order {
                 let order = settings.order;
                 let message = format!(

@@ -1,12 +1,9 @@
 //! Whether a pass can work with what a caller hands in.
 
 use crate::error::{Error, MAX_SIDE};
-use sh_core::constants::MAX_ORDER;
+use sh_core::{ORDERS, OrderError};
 use sh_scene::{EnvironmentMap, Light, View};
 use std::ops::Range;
-
-/// The lowest SH order that there are routines for.
-const MIN_ORDER: usize = 2;
 
 /// Whether a buffer has one entry a sample.
 pub(crate) fn check_length(
@@ -44,8 +41,8 @@ pub(crate) fn check_clusters(clusters: &[Range<usize>], receivers: usize) -> Res
 /// Whether a light is of an order that there is, and whole.
 pub(crate) fn check_light(light: &Light) -> Result<(), Error> {
     let (order, found) = (light.order, light.coefficients.len());
-    if !(MIN_ORDER..=MAX_ORDER).contains(&order) {
-        return Err(Error::Order { order });
+    if !ORDERS.contains(&order) {
+        return Err(OrderError(order).into());
     }
     if found != order * order {
         return Err(Error::Coefficients { order, found });

@@ -12,7 +12,7 @@ use super::ratio::{Detail, Ratios};
 use crate::lanes::path::Path;
 use glam::Vec3;
 use rayon::prelude::*;
-use sh_core::constants::MAX_ORDER;
+use sh_core::{ORDERS, OrderError};
 use sh_scene::order::MOST_LAMPS;
 use sh_scene::{Blocker, Bounds, Forest, Light, Limits, Node, Receiver, Side, Sphere};
 use std::ops::Range;
@@ -101,8 +101,9 @@ impl Cuts {
 
     fn find_with(&mut self, path: Path, forest: &Forest, options: CutOptions, of: Logs) {
         assert!(
-            (2..=MAX_ORDER).contains(&options.accumulation),
-            "orders are 2 to 6"
+            ORDERS.contains(&options.accumulation),
+            "{}",
+            OrderError(options.accumulation)
         );
         self.cuts
             .par_iter_mut()

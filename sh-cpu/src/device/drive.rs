@@ -15,7 +15,7 @@ use crate::error::Error;
 use crate::lanes::enter;
 use crate::lanes::group::Group;
 use crate::lanes::path::Path;
-use sh_core::{Lane, Routines};
+use sh_core::{Lane, OrderError, Routines};
 use sh_scene::Receiver;
 use std::ops::Range;
 
@@ -108,7 +108,7 @@ pub(crate) fn drive<K: Kernel>(work: Work, order: usize, kernel: &K) -> Result<(
         4 => chunk_of!(K, 16),
         5 => chunk_of!(K, 25),
         6 => chunk_of!(K, 36),
-        order => return Err(Error::Order { order }),
+        order => return Err(OrderError(order).into()),
     };
     let path = work.path;
     split(work, 0, &|chunk| run(path, chunk, kernel));

@@ -10,7 +10,7 @@
 use crate::device::emission::Emission;
 use crate::device::spherical_lights::Points;
 use crate::error::Error;
-use sh_core::{ROOT_FOUR_PI, Routines};
+use sh_core::{OrderError, ROOT_FOUR_PI, Routines};
 use sh_scene::surface::{DIRECTIONS, SurfacePoint, cell_sums};
 use sh_scene::{Body, Forest, Node};
 
@@ -55,7 +55,7 @@ impl Emission {
             4 => self.emit_in::<16>(points, bodies, forest, within_bodies),
             5 => self.emit_in::<25>(points, bodies, forest, within_bodies),
             6 => self.emit_in::<36>(points, bodies, forest, within_bodies),
-            order => return Err(Error::Order { order }),
+            order => return Err(OrderError(order).into()),
         }
         Ok(())
     }

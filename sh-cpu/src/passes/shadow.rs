@@ -34,7 +34,7 @@ use crate::lanes::group::Group;
 use crate::lanes::path::Path;
 use rayon::prelude::*;
 use sh_core::constants::MAX_ORDER;
-use sh_core::{Lane, Routines};
+use sh_core::{Lane, OrderError, Routines};
 use sh_scene::{Light, Receiver, Sphere};
 use std::ops::Range;
 
@@ -175,7 +175,7 @@ pub fn bake(
         4 => log::<16>,
         5 => log::<25>,
         6 => log::<36>,
-        order => return Err(Error::Order { order }),
+        order => return Err(OrderError(order).into()),
     };
     check_clusters(clusters, receivers.len())?;
     if cuts.clusters() != clusters.len() {
