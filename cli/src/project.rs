@@ -1,7 +1,7 @@
 //! `gaunt project`: the SH coefficients of an environment map.
 
 use crate::Error;
-use sh_core::{OrderError, Routines, project};
+use sh_core::{OrderError, Routines, for_order, project};
 use sh_scene::EnvironmentMap;
 use std::fmt::Write;
 
@@ -15,14 +15,10 @@ use std::fmt::Write;
 /// assert!((coefficients[0][1] - 0.5 * sh_core::ROOT_FOUR_PI).abs() < 1e-12);
 /// ```
 pub fn coefficients(map: &EnvironmentMap, order: usize) -> Result<Vec<[f64; 3]>, Error> {
-    match order {
-        2 => Ok(of_order::<4>(map)),
-        3 => Ok(of_order::<9>(map)),
-        4 => Ok(of_order::<16>(map)),
-        5 => Ok(of_order::<25>(map)),
-        6 => Ok(of_order::<36>(map)),
-        _ => Err(Error::Usage(OrderError(order).to_string())),
-    }
+    for_order!(
+        order, C => Ok(of_order::<C>(map)),
+        else => Err(Error::Usage(OrderError(order).to_string()))
+    )
 }
 
 fn of_order<const C: usize>(map: &EnvironmentMap) -> Vec<[f64; 3]>

@@ -10,7 +10,7 @@
 //! # What there is
 //! - [`Sh`] (aliases [`Sh2`]…[`Sh6`], [`Sh2d`]…[`Sh6d`]) and [`ShRgb`]: vectors with their linear algebra.
 //! - [`Routines`]: what is generated for every order, on plain arrays and for any [`Lane`].
-//! - [`ORDERS`], and [`OrderError`] for any other.
+//! - [`ORDERS`], [`OrderError`] for any other, and [`for_order!`] for one that is known at run time.
 //! - [`exp`]: the SH exponential; [`log`] (feature `log`) and [`cap`]: logarithms of visibility.
 //! - [`project`]: environment maps to SH vectors.
 //! - [`convention`]: vectors as Unity, Unreal, Filament and three.js write them, and other axes.

@@ -3,7 +3,7 @@
 #[path = "../../tests/shared/shading_cases/mod.rs"]
 mod shading_cases;
 
-use sh_core::Routines;
+use sh_core::{Routines, for_order};
 use sh_cpu::{Cuts, Outline, OutlineAll, Path, Point, shade, shadow_on};
 use sh_scene::{Light, Receiver, Sphere};
 use shading_cases::{CASES, Shade};
@@ -48,13 +48,7 @@ fn in_f64(
     }
     receivers
         .iter()
-        .map(|r| match light.order {
-            2 => with::<4>(r, spheres, light, accumulation),
-            3 => with::<9>(r, spheres, light, accumulation),
-            4 => with::<16>(r, spheres, light, accumulation),
-            5 => with::<25>(r, spheres, light, accumulation),
-            _ => with::<36>(r, spheres, light, accumulation),
-        })
+        .map(|r| for_order!(light.order, C => with::<C>(r, spheres, light, accumulation)))
         .collect()
 }
 

@@ -1,8 +1,8 @@
 //! Light that spheres give which are even, against rays.
 
 use glam::{Vec3, vec3};
-use sh_core::Routines;
 use sh_core::seen::Seen;
+use sh_core::{Routines, for_order};
 use sh_cpu::{
     CutOptions, LightCutOptions, LightCuts, LightGather, Path, SphericalLights, light_gather,
 };
@@ -184,13 +184,7 @@ fn visibilities_of_spheres_and_sky_add_up_to_one() {
     let at = [receiver([0.1, 0.0, 0.2], UP)];
     for order in 2..=6 {
         let bright = Bright::balls(&spheres, order);
-        let sky = match order {
-            2 => left_of_sky::<4>(&at[0], &bright.spheres),
-            3 => left_of_sky::<9>(&at[0], &bright.spheres),
-            4 => left_of_sky::<16>(&at[0], &bright.spheres),
-            5 => left_of_sky::<25>(&at[0], &bright.spheres),
-            _ => left_of_sky::<36>(&at[0], &bright.spheres),
-        };
+        let sky = for_order!(order, C => left_of_sky::<C>(&at[0], &bright.spheres));
         for blocking in [Blocking::Runs, Blocking::Sphere, Blocking::Object] {
             let sent = bright.at(blocking, &at)[0][0];
             let sum = sent + sky;

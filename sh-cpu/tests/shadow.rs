@@ -5,7 +5,7 @@ mod common;
 
 use common::{Random, light_of, receiver};
 use glam::{Vec3, vec3};
-use sh_core::{Lane, OrderError, Routines};
+use sh_core::{Lane, OrderError, Routines, for_order};
 use sh_cpu::{Cuts, Error, Outline, OutlineAll, Path, Point, irradiance, shade, shadow, shadow_on};
 use sh_scene::{EnvironmentMap, Light, Receiver, Sphere};
 
@@ -66,13 +66,7 @@ fn in_f64(receiver: &Receiver, spheres: &[Sphere], light: &Light, accumulation: 
             None::<fn(usize) -> f64>,
         )
     }
-    match light.order {
-        2 => with::<4>(receiver, spheres, light, accumulation),
-        3 => with::<9>(receiver, spheres, light, accumulation),
-        4 => with::<16>(receiver, spheres, light, accumulation),
-        5 => with::<25>(receiver, spheres, light, accumulation),
-        _ => with::<36>(receiver, spheres, light, accumulation),
-    }
+    for_order!(light.order, C => with::<C>(receiver, spheres, light, accumulation))
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Environment light as SH vectors.
 
 use crate::{AreaLight, Emitter, EnvironmentMap, Ground};
-use sh_core::{OrderError, Routines, ShRgb, project};
+use sh_core::{OrderError, Routines, ShRgb, for_order, project};
 
 /// All light of a scene, ready for the passes: an environment's radiance as three SH vectors of one order,
 /// windowed, and analytic lights.
@@ -89,14 +89,10 @@ impl Light {
         if window.is_nan() || window <= 0.0 {
             return Err(LightError::Window(window));
         }
-        let coefficients = match order {
-            2 => coefficients::<4>(map, ground, window),
-            3 => coefficients::<9>(map, ground, window),
-            4 => coefficients::<16>(map, ground, window),
-            5 => coefficients::<25>(map, ground, window),
-            6 => coefficients::<36>(map, ground, window),
-            _ => return Err(OrderError(order).into()),
-        };
+        let coefficients = for_order!(
+            order, C => coefficients::<C>(map, ground, window),
+            else => return Err(OrderError(order).into())
+        );
         Ok(Self {
             order,
             coefficients,
@@ -124,14 +120,7 @@ impl Light {
     /// # Panics
     /// If `order` is not 2 to 6 or there are not `order²` coefficients, which [`Light::project`] never makes.
     pub fn irradiance(&self, normal: [f32; 3]) -> [f32; 3] {
-        match self.order {
-            2 => self.against(&<[f32; 4]>::cosine(normal)),
-            3 => self.against(&<[f32; 9]>::cosine(normal)),
-            4 => self.against(&<[f32; 16]>::cosine(normal)),
-            5 => self.against(&<[f32; 25]>::cosine(normal)),
-            6 => self.against(&<[f32; 36]>::cosine(normal)),
-            order => panic!("{}", OrderError(order)),
-        }
+        for_order!(self.order, C => self.against(&<[f32; C]>::cosine(normal)))
     }
 
     fn against(&self, lobe: &[f32]) -> [f32; 3] {

@@ -5,7 +5,7 @@
 //! section 7, dims the high bands that do it, and blurs the light: a width of h = 2n suits skies, a small h suns.
 //! Here h is the largest, up to 2n, with which the light is nowhere below −[`LIMIT`] times its brightest.
 
-use sh_core::Routines;
+use sh_core::{Routines, for_order};
 
 /// How far below zero a light may ring, in parts of its brightest.
 pub const LIMIT: f64 = 0.1;
@@ -128,17 +128,11 @@ fn basis_products(f: &[f64], d: [f64; 3]) -> Vec<f64> {
     where
         [f64; C]: Routines<f64>,
     {
+        assert_eq!(f.len(), C, "coefficients of an order");
         let y = <[f64; C]>::basis(d);
         y.as_ref().iter().zip(f).map(|(y, f)| y * f).collect()
     }
-    match f.len() {
-        4 => products::<4>(f, d),
-        9 => products::<9>(f, d),
-        16 => products::<16>(f, d),
-        25 => products::<25>(f, d),
-        36 => products::<36>(f, d),
-        other => panic!("{other} coefficients are no order from 2 to 6"),
-    }
+    for_order!(f.len().isqrt(), C => products::<C>(f, d))
 }
 
 #[cfg(test)]

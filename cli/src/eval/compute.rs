@@ -3,7 +3,7 @@
 use super::{CapLog, LogMethod, Op, Request};
 use crate::exponential::{self, Real};
 use sh_core::log::{Logarithm, clipped_samples};
-use sh_core::{OrderError, Routines, cap};
+use sh_core::{OrderError, Routines, cap, for_order};
 
 /// Degree of the rule that samples of a logarithm are taken on.
 const SAMPLES_DEGREE: usize = 100;
@@ -15,14 +15,10 @@ const SAMPLES_FLOOR: f64 = 0.02;
 /// Computes a request with numbers of type `L`; what there is in double precision alone is computed so and
 /// rounded. The error is a sentence.
 pub fn compute<L: Real>(request: &Request) -> Result<Vec<f64>, String> {
-    match request.order {
-        2 => Ok(of_order::<L, 4>(&request.op)),
-        3 => Ok(of_order::<L, 9>(&request.op)),
-        4 => Ok(of_order::<L, 16>(&request.op)),
-        5 => Ok(of_order::<L, 25>(&request.op)),
-        6 => Ok(of_order::<L, 36>(&request.op)),
-        order => Err(OrderError(order).to_string()),
-    }
+    for_order!(
+        request.order, C => Ok(of_order::<L, C>(&request.op)),
+        else => Err(OrderError(request.order).to_string())
+    )
 }
 
 fn of_order<L: Real, const C: usize>(op: &Op) -> Vec<f64>

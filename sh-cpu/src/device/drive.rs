@@ -15,7 +15,7 @@ use crate::error::Error;
 use crate::lanes::enter;
 use crate::lanes::group::Group;
 use crate::lanes::path::Path;
-use sh_core::{Lane, OrderError, Routines};
+use sh_core::{Lane, OrderError, Routines, for_order};
 use sh_scene::Receiver;
 use std::ops::Range;
 
@@ -70,16 +70,6 @@ pub(crate) trait Job {
         [G; C]: Routines<G>;
 }
 
-/// What runs one chunk with `$c` coefficients.
-macro_rules! chunk_of {
-    ($k:ty, $c:literal) => {
-        |path, chunk, kernel| {
-            let job = Groups { chunk, kernel };
-            enter!(path, Lanes, simd => job.run::<Lanes<_>, $c>(simd))
-        }
-    };
-}
-
 /// Receivers of one cluster, and where their radiance goes.
 pub(crate) struct Chunk<'a> {
     cluster: usize,
@@ -102,14 +92,14 @@ pub(crate) struct Work<'a> {
 pub(crate) fn drive<K: Kernel>(work: Work, order: usize, kernel: &K) -> Result<(), Error> {
     check_length("radiance", work.receivers.len(), work.radiance.len())?;
     check_clusters(work.clusters, work.receivers.len())?;
-    let run: fn(Path, Chunk, &K) = match order {
-        2 => chunk_of!(K, 4),
-        3 => chunk_of!(K, 9),
-        4 => chunk_of!(K, 16),
-        5 => chunk_of!(K, 25),
-        6 => chunk_of!(K, 36),
-        order => return Err(OrderError(order).into()),
-    };
+    let run: fn(Path, Chunk, &K) = for_order!(
+        order,
+        C => |path, chunk, kernel| {
+            let job = Groups { chunk, kernel };
+            enter!(path, Lanes, simd => job.run::<Lanes<_>, C>(simd))
+        },
+        else => return Err(OrderError(order).into())
+    );
     let path = work.path;
     split(work, 0, &|chunk| run(path, chunk, kernel));
     Ok(())

@@ -3,7 +3,7 @@
 use super::light::reflected;
 use glam::Vec3;
 use sh_core::constants::NO_BODY;
-use sh_core::{ROOT_FOUR_PI, Routines};
+use sh_core::{ROOT_FOUR_PI, Routines, for_order};
 use sh_scene::Forest;
 
 /// What every node of a forest emits, as SH vectors in world space.
@@ -50,13 +50,7 @@ impl Emission {
 
     /// The mean radiance of a ball in a node's place that appears under this sine, `towards` whoever looks at it.
     pub(crate) fn radiance(&self, node: u32, sine: f32, towards: Vec3) -> [f32; 3] {
-        match self.order {
-            2 => self.radiance_in::<4>(node, sine, towards),
-            3 => self.radiance_in::<9>(node, sine, towards),
-            4 => self.radiance_in::<16>(node, sine, towards),
-            5 => self.radiance_in::<25>(node, sine, towards),
-            _ => self.radiance_in::<36>(node, sine, towards),
-        }
+        for_order!(self.order, C => self.radiance_in::<C>(node, sine, towards))
     }
 
     fn radiance_in<const C: usize>(&self, node: u32, sine: f32, towards: Vec3) -> [f32; 3]
@@ -74,13 +68,7 @@ impl Emission {
     pub(crate) fn exposed(&self, node: u32, from: Vec3) -> f32 {
         let count = self.order * self.order;
         let own = &self.exposed[node as usize * count..][..count];
-        let share = match self.order {
-            2 => share_in::<4>(own, from),
-            3 => share_in::<9>(own, from),
-            4 => share_in::<16>(own, from),
-            5 => share_in::<25>(own, from),
-            _ => share_in::<36>(own, from),
-        };
+        let share = for_order!(self.order, C => share_in::<C>(own, from));
         share.clamp(0.0, 1.0)
     }
 

@@ -18,7 +18,7 @@ use crate::lanes::enter;
 use crate::lanes::group::Group;
 use crate::lanes::path::Path;
 use glam::Vec3;
-use sh_core::Routines;
+use sh_core::{Routines, for_order};
 use sh_scene::{Blocker, Node};
 
 /// A ball as the middle of the cluster sees it.
@@ -110,13 +110,9 @@ impl Ratios {
             entries: &self.entries,
             logs: &mut self.logs,
         };
-        match accumulation {
-            2 => enter!(path, Lanes, simd => job.run::<Lanes<_>, 4>(simd)),
-            3 => enter!(path, Lanes, simd => job.run::<Lanes<_>, 9>(simd)),
-            4 => enter!(path, Lanes, simd => job.run::<Lanes<_>, 16>(simd)),
-            5 => enter!(path, Lanes, simd => job.run::<Lanes<_>, 25>(simd)),
-            _ => enter!(path, Lanes, simd => job.run::<Lanes<_>, 36>(simd)),
-        }
+        for_order!(
+            accumulation, A => enter!(path, Lanes, simd => job.run::<Lanes<_>, A>(simd))
+        );
         let ends = self.owners.iter().skip(1).map(|owner| owner.first);
         let ends = ends.chain([self.entries.len()]);
         for (owner, end) in self.owners.iter().zip(ends) {

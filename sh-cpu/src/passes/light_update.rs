@@ -10,7 +10,7 @@
 use crate::device::emission::Emission;
 use crate::device::spherical_lights::Points;
 use crate::error::Error;
-use sh_core::{OrderError, ROOT_FOUR_PI, Routines};
+use sh_core::{OrderError, ROOT_FOUR_PI, Routines, for_order};
 use sh_scene::surface::{DIRECTIONS, SurfacePoint, cell_sums};
 use sh_scene::{Body, Forest, Node};
 
@@ -49,14 +49,10 @@ impl Emission {
         forest: &Forest,
         within_bodies: bool,
     ) -> Result<(), Error> {
-        match self.order {
-            2 => self.emit_in::<4>(points, bodies, forest, within_bodies),
-            3 => self.emit_in::<9>(points, bodies, forest, within_bodies),
-            4 => self.emit_in::<16>(points, bodies, forest, within_bodies),
-            5 => self.emit_in::<25>(points, bodies, forest, within_bodies),
-            6 => self.emit_in::<36>(points, bodies, forest, within_bodies),
-            order => return Err(OrderError(order).into()),
-        }
+        for_order!(
+            self.order, C => self.emit_in::<C>(points, bodies, forest, within_bodies),
+            else => return Err(OrderError(self.order).into())
+        );
         Ok(())
     }
 

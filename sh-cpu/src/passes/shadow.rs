@@ -34,7 +34,7 @@ use crate::lanes::group::Group;
 use crate::lanes::path::Path;
 use rayon::prelude::*;
 use sh_core::constants::MAX_ORDER;
-use sh_core::{Lane, OrderError, Routines};
+use sh_core::{Lane, OrderError, Routines, for_order};
 use sh_scene::{Light, Receiver, Sphere};
 use std::ops::Range;
 
@@ -169,14 +169,10 @@ pub fn bake(
         };
         sum.copy_from_slice(&f32::accumulate(&[0.0; A], &point, blockers));
     }
-    let log = match accumulation {
-        2 => log::<4>,
-        3 => log::<9>,
-        4 => log::<16>,
-        5 => log::<25>,
-        6 => log::<36>,
-        order => return Err(OrderError(order).into()),
-    };
+    let log = for_order!(
+        accumulation, A => log::<A>,
+        else => return Err(OrderError(accumulation).into())
+    );
     check_clusters(clusters, receivers.len())?;
     if cuts.clusters() != clusters.len() {
         return Err(Error::Length {
@@ -232,6 +228,9 @@ struct Lamps<'a> {
 
 /// Radiance of albedo 1 in three channels, for one group of receivers of a cluster under light of `C` coefficients;
 /// `accumulation` as in [`Shadow`]. `start` tells the coefficients that the sum of logarithms starts with; none: 0.
+///
+/// # Panics
+/// If the order of accumulation is not 2 to 6.
 #[inline(always)]
 pub fn shade<L: OutlineAll + Outline<C>, const C: usize>(
     point: &Point<L>,
@@ -261,13 +260,10 @@ where
             *sum = *sum + given;
         }
     };
-    match accumulation {
-        2 => accumulated::<L, 4, C>(point, blockers, start, &mut transfer, lamps, &mut add),
-        3 => accumulated::<L, 9, C>(point, blockers, start, &mut transfer, lamps, &mut add),
-        4 => accumulated::<L, 16, C>(point, blockers, start, &mut transfer, lamps, &mut add),
-        5 => accumulated::<L, 25, C>(point, blockers, start, &mut transfer, lamps, &mut add),
-        _ => accumulated::<L, 36, C>(point, blockers, start, &mut transfer, lamps, &mut add),
-    }
+    for_order!(
+        accumulation,
+        A => accumulated::<L, A, C>(point, blockers, start, &mut transfer, lamps, &mut add)
+    );
     let open = unblocked(&lobe, &light.coefficients);
     let shadowed = reflected(&transfer, &light.coefficients);
     // What is not a number fails the comparison.

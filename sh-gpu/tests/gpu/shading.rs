@@ -3,6 +3,7 @@
 use crate::gpu::Gpu;
 use crate::scenes::Numbers;
 use crate::truth;
+use sh_core::for_order;
 use sh_gpu::{IrradiancePass, ShadowOptions, ShadowPass};
 use sh_scene::{Light, Receiver, Sphere};
 
@@ -124,13 +125,9 @@ pub fn irradiance_is_that_of_f64(gpu: &Gpu) {
         let found = gpu.read(&output);
         compare(&format!("order {order}, irradiance"), &found, |i| {
             let receiver = &receivers[i];
-            match (receiver.covered, order) {
-                (0, _) => [0.0; 3],
-                (_, 2) => truth::irradiance::<4>(receiver, &light),
-                (_, 3) => truth::irradiance::<9>(receiver, &light),
-                (_, 4) => truth::irradiance::<16>(receiver, &light),
-                (_, 5) => truth::irradiance::<25>(receiver, &light),
-                _ => truth::irradiance::<36>(receiver, &light),
+            match receiver.covered {
+                0 => [0.0; 3],
+                _ => for_order!(order, C => truth::irradiance::<C>(receiver, &light)),
             }
         });
     }
