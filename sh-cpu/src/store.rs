@@ -162,8 +162,8 @@ impl Camera<'_> {
     /// The same of something else that is given of every pixel; none where nobody asked for it.
     pub fn given(&mut self, resource: Resource, band: u32) -> &mut [[u32; 4]] {
         let range = self.range(band);
-        let given = self.given.iter_mut().find(|(of, _)| *of == resource);
-        given.map_or(&mut [], |(_, all)| &mut all[range])
+        let given = self.given.get_mut(&resource);
+        given.map_or(&mut [], |all| &mut all[range])
     }
 
     fn range(&self, band: u32) -> Range<usize> {

@@ -21,6 +21,7 @@ use gpu::Painted;
 use sh_bake::{Cache, Choices, ClipChoice, Loaded};
 use sh_scene::motion::Motion;
 use sh_scene::passes::{INVALID_SAMPLES, InvalidSamples};
+use sh_scene::resource::Given;
 use sh_scene::{Plan, Tracker, View};
 use std::io::Write;
 use std::path::PathBuf;
@@ -157,7 +158,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
                 let pixels = reference::picture(reference, &scene, &view, &mut times, &done)?;
                 Painted {
                     pixels,
-                    given: Vec::new(),
+                    given: Given::new(),
                 }
             }
             (None, Some(gpu)) => {

@@ -60,7 +60,7 @@ pub(super) fn of(
 fn of_invalid(given: &Given, wish: &Wish) -> Option<Layer> {
     let [width, height] = wish.size;
     let found = InvalidSamples::of(given, width)?;
-    let (_, counts) = given.iter().find(|(of, _)| *of == INVALID_SAMPLES)?;
+    let counts = given.get(&INVALID_SAMPLES)?;
     // One pixel is hard to see: the four by four that it is among are coloured.
     const BLOCK: u32 = 4;
     let mut colors = vec![None; width.div_ceil(BLOCK) as usize * height.div_ceil(BLOCK) as usize];

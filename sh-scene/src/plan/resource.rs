@@ -1,6 +1,7 @@
 //! What passes hand each other, as data.
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 
 /// What a pass runs over, and what a resource has one element for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -231,7 +232,7 @@ pub const PICTURE: Resource = Resource::made(
 
 /// What a plan gives of every pixel besides the picture, row by row from the top: four whole numbers each, which the
 /// resource's own documentation tells the meaning of.
-pub type Given = Vec<(Resource, Vec<[u32; 4]>)>;
+pub type Given = HashMap<Resource, Vec<[u32; 4]>>;
 
 /// Memory that the passes of a plan work in.
 #[derive(Clone, Debug, PartialEq, Eq)]

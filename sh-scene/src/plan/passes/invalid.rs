@@ -46,7 +46,7 @@ pub static INVALID: Pass = Pass {
 ///
 /// ```
 /// use sh_scene::passes::{INVALID_SAMPLES, InvalidSamples};
-/// let given = vec![(INVALID_SAMPLES, vec![[0, 0, 0, 4], [1, 0, 2, 4]])];
+/// let given = [(INVALID_SAMPLES, vec![[0, 0, 0, 4], [1, 0, 2, 4]])].into();
 /// let found = InvalidSamples::of(&given, 2).expect("it was asked for");
 /// assert_eq!((found.samples, found.pixels), ([1, 0, 2], 1));
 /// assert!(found.to_string().starts_with("3 samples of 1 pixel are invalid"));
@@ -64,7 +64,7 @@ pub struct InvalidSamples {
 impl InvalidSamples {
     /// What a frame `width` pixels wide gives; none where nobody asked for it.
     pub fn of(given: &Given, width: u32) -> Option<Self> {
-        let (_, counts) = given.iter().find(|(of, _)| *of == INVALID_SAMPLES)?;
+        let counts = given.get(&INVALID_SAMPLES)?;
         let mut all = Self::default();
         for (index, [nan, infinite, negative, _]) in counts.iter().enumerate() {
             let found = [nan, infinite, negative].map(|count| u64::from(*count));
