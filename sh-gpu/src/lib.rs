@@ -105,6 +105,7 @@ mod buffers;
 mod clusters;
 mod error;
 mod gbuffer;
+mod inputs;
 mod irradiance;
 mod layout;
 mod light_gather;

@@ -1,6 +1,7 @@
 //! The light gather pass: light that spheres send on, at every receiver (Guerrero et al. 2008, section 6).
 
 use crate::clusters::{bind_clusters, bind_tiles};
+use crate::inputs::Inputs;
 use crate::lighting::{buffer, room};
 use crate::pipeline::Kernel;
 use crate::scope::checked;
@@ -53,9 +54,14 @@ impl LightGatherPass {
     /// 16 (n² + 1) + 8 bytes a node at order n. [`Blocking::Sphere`] gives what [`Blocking::Runs`] does, in the same
     /// time.
     pub fn new(device: &Device, shadow: &ShadowPass, blocking: Blocking) -> Result<Self, Error> {
+        Self::of(device, &shadow.inputs, blocking)
+    }
+
+    /// With light and blockers that other passes read as well.
+    pub(crate) fn of(device: &Device, inputs: &Inputs, blocking: Blocking) -> Result<Self, Error> {
         checked(device, || {
-            let order = shadow.order();
-            let max_nodes = shadow.max_blockers().saturating_mul(2);
+            let order = inputs.order;
+            let max_nodes = inputs.max_blockers.saturating_mul(2);
             let sent = 16 * (order * order + 1);
             let emission = room(device, "room for what spheres send on", max_nodes, sent)?;
             let members = room(device, "room for members of bodies", max_nodes, 8)?;
@@ -73,11 +79,11 @@ impl LightGatherPass {
                 Blocking::Discs => &[],
                 _ => &[("BY_BODIES", by_bodies)],
             };
-            let kernel = shadow.pipelines.specialised(of, name, constants)?;
-            let [lighting, _] = shadow.lit.bindings();
+            let kernel = inputs.pipelines.specialised(of, name, constants)?;
+            let [lighting, _] = inputs.lit.bindings();
             let own = [
                 lighting,
-                ("nodes", shadow.nodes.as_entire_binding()),
+                inputs.tree(),
                 ("members", members.as_entire_binding()),
                 ("emission", emission.as_entire_binding()),
             ];

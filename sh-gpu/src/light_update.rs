@@ -48,7 +48,7 @@ impl LightUpdatePass {
         bodies: impl IntoIterator<Item = Body<'a>> + Clone,
         bounces: u32,
     ) -> Result<Self, Error> {
-        let surfaces = Surfaces::new(device, queue, shadow, gather, bodies)?;
+        let surfaces = Surfaces::new(device, queue, &shadow.inputs, gather, bodies)?;
         let points = surfaces.point_buffers(device)?;
         let [receivers, radiance, sent] = points.all();
         let clusters = || surfaces.clusters();

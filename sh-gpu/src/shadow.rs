@@ -2,18 +2,16 @@
 //! sections 6 to 8).
 
 use crate::clusters::{bind_clusters, bind_tiles};
-use crate::lighting::{Lit, buffer, room};
+use crate::inputs::Inputs;
 use crate::pipeline::Kernel;
 use crate::scope::checked;
 use crate::slot::Slot;
-use crate::upload::{Kept, Known};
 use crate::{Bound, ClusterBinding, Error, Pipelines};
 use sh_kernels::Pass;
-use sh_scene::{Forest, Light, Limits, Node, Sphere};
+use sh_scene::{Forest, Light, Limits, Sphere};
 use std::sync::Arc;
 use wgpu::{
-    BindGroup, Buffer, BufferBinding, BufferUsages, CommandEncoder, ComputePassTimestampWrites,
-    Device, Queue,
+    BindGroup, Buffer, BufferBinding, CommandEncoder, ComputePassTimestampWrites, Device, Queue,
 };
 
 /// How a [`ShadowPass`] is made.
@@ -76,6 +74,13 @@ impl Output {
             Self::Light => (order * order) as u64,
         }
     }
+
+    fn kernels(self) -> Pass {
+        match self {
+            Self::Radiance => Pass::Shadow,
+            Self::Light => Pass::ShadowedLight,
+        }
+    }
 }
 
 /// Light through the visibility of all blocker spheres, on the host's device, queue and encoder.
@@ -102,12 +107,8 @@ impl Output {
 #[derive(Debug)]
 pub struct ShadowPass {
     kernel: Arc<Kernel>,
-    pub(crate) pipelines: Pipelines,
-    pub(crate) lit: Lit,
-    pub(crate) nodes: Buffer,
+    pub(crate) inputs: Arc<Inputs>,
     group: BindGroup,
-    kept: Kept<Vec<Node>>,
-    known: Known,
     options: ShadowOptions,
 }
 
@@ -119,60 +120,32 @@ impl ShadowPass {
 
     /// As [`new`](Self::new), with a pipeline that is shared.
     pub fn with(pipelines: &Pipelines, options: ShadowOptions) -> Result<Self, Error> {
-        let device = pipelines.device();
-        let ShadowOptions {
-            order,
-            accumulation,
-            max_blockers,
-            max_emitters,
-            distributions,
-            output,
-        } = options;
+        Self::of(&Arc::new(Inputs::new(pipelines, options)?), options)
+    }
+
+    /// With light and blockers that other passes read as well.
+    pub(crate) fn of(inputs: &Arc<Inputs>, options: ShadowOptions) -> Result<Self, Error> {
+        let device = inputs.pipelines.device();
+        let (pass, lit) = (options.output.kernels(), &inputs.lit);
         checked(device, || {
-            let max_nodes = max_blockers.saturating_mul(2);
-            let lit = Lit::new(device, order, max_emitters, distributions)?;
-            let room = room(device, "room for blockers", max_nodes, size_of::<Node>())?;
-            let nodes = buffer(device, "gaunt blockers", room, BufferUsages::STORAGE);
-            let pass = match output {
-                Output::Radiance => Pass::Shadow,
-                Output::Light => Pass::ShadowedLight,
-            };
-            let of = (pass, order, accumulation);
-            let kernel = pipelines.specialised(of, pass.name(), &lit.lamps())?;
+            let of = (pass, options.order, options.accumulation);
+            let kernel = inputs
+                .pipelines
+                .specialised(of, pass.name(), &lit.lamps())?;
             let [record, emitters] = lit.bindings();
-            let blockers = ("nodes", nodes.as_entire_binding());
-            let group = kernel.own(device, &[record, emitters, blockers]);
+            let group = kernel.own(device, &[record, emitters, inputs.tree()]);
             Ok(Self {
                 kernel,
-                pipelines: pipelines.clone(),
-                lit,
-                nodes,
+                inputs: Arc::clone(inputs),
                 group,
-                kept: Kept::default(),
-                known: Known::default(),
                 options,
             })
         })
     }
 
-    /// Bytes of GPU memory that the pass owns.
+    /// Bytes of GPU memory of light and blockers.
     pub fn bytes(&self) -> u64 {
-        self.lit.bytes() + self.nodes.size()
-    }
-
-    /// Bytes of nodes and light that have been uploaded since the pass was made.
-    pub(crate) fn uploaded(&self) -> u64 {
-        self.known.written() + self.lit.uploaded()
-    }
-
-    /// The SH order of the light.
-    pub(crate) fn order(&self) -> usize {
-        self.options.order
-    }
-
-    /// The most blocker spheres.
-    pub(crate) fn max_blockers(&self) -> u32 {
-        self.options.max_blockers
+        self.inputs.bytes()
     }
 
     /// Binds receivers ([`sh_scene::Receiver`], 32 bytes each, read) and radiance (red, green, blue, 0 as
@@ -213,6 +186,9 @@ impl ShadowPass {
     }
 
     /// Uploads the blockers and the light for what is submitted next.
+    ///
+    /// # Errors
+    /// Where they are more than there is room for, or the light is of another order.
     pub fn prepare(
         &self,
         queue: &Queue,
@@ -220,51 +196,26 @@ impl ShadowPass {
         limits: Limits,
         light: &Light,
     ) -> Result<(), Error> {
-        let nodes = blockers.nodes();
-        self.check(blockers.spheres(), nodes.len())?;
-        self.lit.prepare(queue, light, nodes.len() as u32, limits)?;
-        self.known.write(queue, &self.nodes, nodes);
-        Ok(())
+        self.inputs.prepare(queue, blockers, limits, light)
     }
 
     /// As [`prepare`](Self::prepare), without a hierarchy: every sphere counts for every receiver.
+    ///
+    /// # Errors
+    /// As `prepare`.
     pub fn prepare_spheres(
         &self,
         queue: &Queue,
         blockers: &[Sphere],
         light: &Light,
     ) -> Result<(), Error> {
-        let count = blockers.len();
-        self.check(count, count)?;
-        self.lit
-            .prepare(queue, light, count as u32, Limits::LEAVES)?;
-        // Every leaf a tree of its own.
-        let nodes = (0..).zip(blockers).map(|(at, sphere)| {
-            // One that is nowhere, or endless, blocks nothing.
-            let sphere = Some(sphere)
-                .filter(|s| s.is_finite())
-                .unwrap_or(&Sphere::NONE);
-            Node {
-                center: sphere.center,
-                radius: sphere.radius,
-                area: sphere.radius * sphere.radius,
-                parent: at,
-                skip: at + 1,
-                sphere: at,
-                weight: 1.0,
-                object: 0,
-                unused: [0; 2],
-            }
-        });
-        self.kept.with(|kept| {
-            kept.clear();
-            kept.extend(nodes);
-            self.known.write(queue, &self.nodes, kept);
-        });
-        Ok(())
+        self.inputs.prepare_spheres(queue, blockers, light)
     }
 
     /// As [`prepare`](Self::prepare), where the host has written so many nodes to [`nodes`](Self::nodes) itself.
+    ///
+    /// # Errors
+    /// As `prepare`.
     pub fn prepare_light(
         &self,
         queue: &Queue,
@@ -272,14 +223,12 @@ impl ShadowPass {
         limits: Limits,
         light: &Light,
     ) -> Result<(), Error> {
-        self.known.forget();
-        self.check(nodes.div_ceil(2) as usize, nodes as usize)?;
-        self.lit.prepare(queue, light, nodes, limits)
+        self.inputs.prepare_light(queue, nodes, limits, light)
     }
 
-    /// The tree of blockers: [`Node`] records. Usages `STORAGE` and `COPY_DST`.
+    /// The tree of blockers: [`sh_scene::Node`] records. Usages `STORAGE` and `COPY_DST`.
     pub fn nodes(&self) -> &Buffer {
-        &self.nodes
+        &self.inputs.nodes
     }
 
     /// Records one compute pass that writes the radiance each receiver of a cluster would reflect with albedo 1. Every
@@ -292,16 +241,5 @@ impl ShadowPass {
     ) {
         self.kernel
             .record(encoder, (&self.group, &[]), bound, timestamps);
-    }
-
-    fn check(&self, spheres: usize, nodes: usize) -> Result<(), Error> {
-        let capacity = self.options.max_blockers;
-        if spheres > capacity as usize || nodes > 2 * capacity as usize {
-            return Err(Error::Blockers {
-                count: spheres,
-                capacity,
-            });
-        }
-        Ok(())
     }
 }

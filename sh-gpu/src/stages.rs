@@ -237,25 +237,17 @@ static MAKERS: [(&Pass, Make); 10] = [
     (&RESOLVE, resolve),
 ];
 
-/// The shadow pass that all passes of the plan share, if any looks at blockers.
-pub(crate) fn shadow_pass(
-    pipelines: &Pipelines,
-    scene: &Scene,
-    plan: &Plan,
-) -> Result<Option<ShadowPass>, Error> {
-    if !plan.is_blocked() {
-        return Ok(None);
-    }
+/// What the passes of a scene's plan need of light and blockers.
+pub(crate) fn options(scene: &Scene) -> ShadowOptions {
     let blockers: usize = scene.objects.iter().map(|o| o.spheres.len()).sum();
-    let options = ShadowOptions {
+    ShadowOptions {
         order: scene.settings.order,
         accumulation: scene.settings.accumulation,
         max_blockers: u32::try_from(blockers).unwrap_or(u32::MAX),
         max_emitters: emitters(scene),
         distributions: distributions(scene),
         ..ShadowOptions::default()
-    };
-    ShadowPass::with(pipelines, options).map(Some)
+    }
 }
 
 /// Whether spheres send light on.

@@ -5,11 +5,12 @@ mod memory;
 
 pub(crate) use memory::PointBuffers;
 
+use crate::inputs::Inputs;
 use crate::records::Sender;
 use crate::scope::checked;
 use crate::slot::Slot;
 use crate::upload::{Kept, Known};
-use crate::{Bound, ClusterBinding, Error, LightGatherPass, ShadowPass};
+use crate::{Bound, ClusterBinding, Error, LightGatherPass};
 use glam::Mat4;
 use kernels::Kernels;
 use memory::{Counts, Memory};
@@ -51,16 +52,16 @@ impl Surfaces {
     pub fn new<'a>(
         device: &Device,
         queue: &Queue,
-        shadow: &ShadowPass,
+        inputs: &Inputs,
         gather: &LightGatherPass,
         bodies: impl IntoIterator<Item = Body<'a>> + Clone,
     ) -> Result<Self, Error> {
         checked(device, || {
-            let kernels = Kernels::new(shadow)?;
+            let kernels = Kernels::new(inputs)?;
             let counts = Counts::of(bodies.clone());
             let memory = Memory::new(device, queue, counts)?;
-            let group = memory.group(device, &kernels.place, shadow, gather);
-            let nodes = shadow.nodes.as_entire_buffer_binding();
+            let group = memory.group(device, &kernels.place, inputs, gather);
+            let nodes = inputs.nodes.as_entire_buffer_binding();
             let nodes = Slot::counting("nodes", size_of::<Node>() as u64, nodes);
             let nodes_of = u64::from(gather.max_nodes());
             let raised = kernels.raise.bind_groups(device, &[nodes], nodes_of, 1)?;

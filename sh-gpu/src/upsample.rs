@@ -1,5 +1,6 @@
 //! The upsample pass: light at half resolution to samples, and what has to be shaded by itself.
 
+use crate::inputs::Inputs;
 use crate::lighting::buffer;
 use crate::pipeline::Kernel;
 use crate::records::UpsampleRule;
@@ -104,12 +105,23 @@ impl UpsamplePass {
         shadow: &ShadowPass,
         sent: bool,
     ) -> Result<Self, Error> {
+        Self::of(device, queue, bands, &shadow.inputs, sent)
+    }
+
+    /// With light that other passes read as well.
+    pub(crate) fn of(
+        device: &Device,
+        queue: &Queue,
+        bands: &Bands,
+        inputs: &Inputs,
+        sent: bool,
+    ) -> Result<Self, Error> {
         checked(device, || {
             let kernel = |name, constants: &[(&'static str, f64)]| {
-                let of = (Pass::Upsample, shadow.order(), shadow.order());
-                shadow.pipelines.specialised(of, name, constants)
+                let of = (Pass::Upsample, inputs.order, inputs.order);
+                inputs.pipelines.specialised(of, name, constants)
             };
-            let lamps = shadow.lit.lamps();
+            let lamps = inputs.lit.lamps();
             let [any, uneven] = lamps;
             let sent = ("SENT", f64::from(u8::from(sent)));
             let shares = kernel("shares", &lamps)?;
@@ -122,7 +134,7 @@ impl UpsamplePass {
                 BufferUsages::UNIFORM,
             );
             queue.write_buffer(&rule, 0, bytemuck::bytes_of(&UpsampleRule::OURS));
-            let [lighting, emitters] = shadow.lit.bindings();
+            let [lighting, emitters] = inputs.lit.bindings();
             let band = ("band", bands.binding());
             let ours = ("rule", rule.as_entire_binding());
             let group = shares.own(device, &[band, lighting, emitters, ours]);

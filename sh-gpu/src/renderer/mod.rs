@@ -4,10 +4,12 @@ mod sent;
 mod told;
 
 use crate::buffers::Buffers;
-use crate::stages::{Recording, Setup, Stage, Work, sends, shadow_pass};
+use crate::inputs::Inputs;
+use crate::stages::{Recording, Setup, Stage, Work, options, sends};
 use crate::surfaces::Surfaces;
 use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, ShadowPass, UpsamplePass};
 use sent::Sent;
+use sh_scene::passes::SHADOW;
 use sh_scene::resource::PICTURE;
 use sh_scene::{Body, Domain, EnvironmentMap, Forest, Light, Plan, Resource, Scene, Step, View};
 use std::sync::Arc;
@@ -46,7 +48,7 @@ pub struct Renderer {
     halves: Option<Bands>,
     bodies: Bodies,
     /// One for all stages that need it, and so are the others.
-    shadow: Option<Arc<ShadowPass>>,
+    inputs: Option<Arc<Inputs>>,
     gather: Option<Arc<LightGatherPass>>,
     upsample: Option<Arc<UpsamplePass>>,
     surfaces: Option<Arc<Surfaces>>,
@@ -108,26 +110,34 @@ impl Renderer {
             false => None,
         };
         let bands = bands(view.samples())?;
-        let shadow = shadow_pass(pipelines, scene, plan)?.map(Arc::new);
+        let options = options(scene);
+        let inputs = match plan.is_blocked() {
+            true => Some(Arc::new(Inputs::new(pipelines, options)?)),
+            false => None,
+        };
+        let shadow = match &inputs {
+            Some(inputs) if plan.has(&SHADOW) => Some(Arc::new(ShadowPass::of(inputs, options)?)),
+            _ => None,
+        };
         let sends = sends(plan);
-        let gather = match &shadow {
-            Some(shadow) if sends => {
+        let gather = match &inputs {
+            Some(inputs) if sends => {
                 let blocking = scene.settings.indirect.unwrap_or_default().blocking;
-                Some(Arc::new(LightGatherPass::new(device, shadow, blocking)?))
+                Some(Arc::new(LightGatherPass::of(device, inputs, blocking)?))
             }
             _ => None,
         };
-        let upsample = match &shadow {
-            Some(shadow) if halves.is_some() => {
-                let pass = UpsamplePass::new(device, queue, &bands, shadow, sends)?;
+        let upsample = match &inputs {
+            Some(inputs) if halves.is_some() => {
+                let pass = UpsamplePass::of(device, queue, &bands, inputs, sends)?;
                 Some(Arc::new(pass))
             }
             _ => None,
         };
-        let surfaces = match (&shadow, &gather) {
-            (Some(shadow), Some(gather)) => {
+        let surfaces = match (&inputs, &gather) {
+            (Some(inputs), Some(gather)) => {
                 let bodies = scene.objects.iter().map(Body::from);
-                let surfaces = Surfaces::new(device, queue, shadow, gather, bodies)?;
+                let surfaces = Surfaces::new(device, queue, inputs, gather, bodies)?;
                 Some(Arc::new(surfaces))
             }
             _ => None,
@@ -166,7 +176,7 @@ impl Renderer {
             buffers,
             bands,
             halves,
-            shadow,
+            inputs,
             gather,
             upsample,
             surfaces,
@@ -196,8 +206,8 @@ impl Renderer {
             halves.prepare(queue, view, scene.ground)?;
         }
         self.bodies.prepare(queue, scene)?;
-        if let Some(shadow) = &self.shadow {
-            shadow.prepare(queue, blockers, scene.settings.limits, light)?;
+        if let Some(inputs) = &self.inputs {
+            inputs.prepare(queue, blockers, scene.settings.limits, light)?;
         }
         if let Some(gather) = &self.gather {
             let spheres = scene.objects.iter().map(|object| object.spheres.len());

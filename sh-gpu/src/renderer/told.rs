@@ -3,18 +3,18 @@
 use super::Renderer;
 use crate::stages::Stage;
 use crate::{Bands, Pipelines};
-use sh_scene::passes::{LIGHT_GATHER, SHADOW, UPSAMPLE};
-use sh_scene::resource::RECEIVERS;
+use sh_scene::passes::{LIGHT_GATHER, UPSAMPLE};
+use sh_scene::resource::{BLOCKERS, RECEIVERS};
 use sh_scene::{Domain, Pass};
 use std::borrow::Cow;
 
 impl Renderer {
     /// What light that is sent on depends on, in bytes that have been uploaded.
     pub(super) fn lights_uploaded(&self) -> u64 {
-        let shadow = self.shadow.as_ref().map_or(0, |pass| pass.uploaded());
+        let inputs = self.inputs.as_ref().map_or(0, |inputs| inputs.uploaded());
         let gather = self.gather.as_ref().map_or(0, |pass| pass.uploaded());
         let surfaces = self.surfaces.as_ref().map_or(0, |s| s.uploaded());
-        shadow + gather + surfaces + self.stages.iter().map(Stage::uploaded).sum::<u64>()
+        inputs + gather + surfaces + self.stages.iter().map(Stage::uploaded).sum::<u64>()
     }
 
     /// Bytes that [`prepare`](Self::prepare) has uploaded since the renderer was made. A frame that is like the one before
@@ -51,14 +51,16 @@ impl Renderer {
     pub fn buffers(&self) -> Vec<sh_scene::Buffer> {
         let seen = self.plan.maker(RECEIVERS, Domain::Samples);
         let first = |pass: &Pass| self.plan.passes.iter().position(|p| p.is(pass));
+        let mut slots = self.plan.passes.iter().map(|pass| pass.slots());
+        let blocked = slots.position(|slots| slots.iter().any(|s| s.resource == BLOCKERS));
         let halves = self.halves.as_ref().map_or(0, Bands::bytes);
         let own = [
             ("bodies", seen, Some(self.bodies.bytes())),
             ("bands", seen, Some(self.bands.bytes() + halves)),
             (
-                "shadow",
-                first(&SHADOW),
-                self.shadow.as_ref().map(|pass| pass.bytes()),
+                "light_and_blockers",
+                blocked,
+                self.inputs.as_ref().map(|inputs| inputs.bytes()),
             ),
             (
                 "light_gather",

@@ -1,7 +1,8 @@
 //! The kernels of the pass.
 
+use crate::Error;
+use crate::inputs::Inputs;
 use crate::pipeline::Kernel;
-use crate::{Error, ShadowPass};
 use sh_kernels::Pass;
 use std::sync::Arc;
 
@@ -14,9 +15,9 @@ pub(super) struct Kernels {
 }
 
 impl Kernels {
-    pub fn new(shadow: &ShadowPass) -> Result<Self, Error> {
-        let specialised = (Pass::LightUpdate, shadow.order(), shadow.order());
-        let kernel = |name| shadow.pipelines.kernel(specialised, name);
+    pub fn new(inputs: &Inputs) -> Result<Self, Error> {
+        let specialised = (Pass::LightUpdate, inputs.order, inputs.order);
+        let kernel = |name| inputs.pipelines.kernel(specialised, name);
         Ok(Self {
             place: kernel("place")?,
             project: kernel("project")?,

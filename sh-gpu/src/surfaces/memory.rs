@@ -1,10 +1,11 @@
 //! The buffers of the pass.
 
+use crate::inputs::Inputs;
 use crate::lighting::{buffer, room};
 use crate::pipeline::Kernel;
 use crate::records::Sender;
 use crate::scope::checked;
-use crate::{ClusterBinding, Error, LightGatherPass, ShadowPass};
+use crate::{ClusterBinding, Error, LightGatherPass};
 use sh_scene::surface::{DIRECTIONS, MOST_COEFFICIENTS, SurfacePoint, cell_sums};
 use sh_scene::{Body, Receiver};
 use wgpu::{BindGroup, Buffer, BufferBinding, BufferUsages, CommandEncoder, Device, Queue};
@@ -77,10 +78,10 @@ impl Memory {
         &self,
         device: &Device,
         kernel: &Kernel,
-        shadow: &ShadowPass,
+        inputs: &Inputs,
         gather: &LightGatherPass,
     ) -> BindGroup {
-        let [lighting, _] = shadow.lit.bindings();
+        let [lighting, _] = inputs.lit.bindings();
         let own = [
             lighting,
             ("senders", self.senders.as_entire_binding()),
