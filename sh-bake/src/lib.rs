@@ -114,7 +114,7 @@ mod spheres;
 mod surface;
 mod weights;
 
-pub use basis::{BasisSample, IrradianceBasis};
+pub use basis::{BasisSample, IrradianceBasis, IrradianceField, LitField};
 pub use bodies::{SurfaceReport, WeightReport};
 pub use cache::Cache;
 pub use choices::Choices;

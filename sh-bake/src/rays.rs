@@ -1,5 +1,6 @@
 //! Rays and a body: whether it blocks them, and where they meet it.
 
+use crate::surface::Part;
 use glam::{DVec3, Vec3A};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -19,6 +20,8 @@ pub(crate) struct Rays {
     hierarchy: Bvh2,
     pub(crate) center: DVec3,
     pub(crate) radius: f64,
+    /// How far the farthest corner is from the centre.
+    pub(crate) reach: f64,
     /// Of all corners, from the centre.
     corners: Vec<DVec3>,
 }
@@ -79,6 +82,7 @@ impl Rays {
             hierarchy,
             center,
             radius,
+            reach: local.iter().map(|p| p.length()).fold(0.0, f64::max),
             corners: local,
         })
     }
@@ -87,6 +91,12 @@ impl Rays {
     pub(crate) fn lowest(&self, direction: DVec3) -> f64 {
         let along = self.corners.iter().map(|p| p.dot(direction));
         along.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Of the parts of a body.
+    pub(crate) fn of(parts: &[Part]) -> Option<Self> {
+        let meshes: Vec<Mesh> = parts.iter().map(|(mesh, _)| Mesh::clone(mesh)).collect();
+        Self::new(&meshes)
     }
 
     /// Of all triangles together.

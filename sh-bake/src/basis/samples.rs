@@ -1,8 +1,19 @@
 //! Points spread over a body's surface.
 
-use super::BasisSample;
+use crate::rays::Rays;
 use crate::surface::{Crossing, Part, albedo, normal};
 use glam::{DVec3, Vec3};
+
+/// A point of a body's surface at which irradiance is looked up; each stands for as much area as the others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BasisSample {
+    /// Where, in metres, object space.
+    pub position: [f32; 3],
+    /// Unit normal, object space.
+    pub normal: [f32; 3],
+    /// Linear Rec.709 reflectance, each in 0..=1.
+    pub albedo: [f32; 3],
+}
 
 /// So many points, each for as much area as the others; none where there is no triangle of any extent.
 pub(super) fn samples(parts: &[Part], count: usize) -> Vec<BasisSample> {
@@ -62,4 +73,31 @@ fn outside(part: &Part, crossing: &Crossing, winding: DVec3) -> Vec3 {
         false => winding,
     };
     normal(part, crossing, outward).as_vec3()
+}
+
+/// How far so many points of a body are apart.
+pub(super) fn apart(rays: &Rays, count: usize) -> f32 {
+    (rays.area() / count as f64).sqrt() as f32
+}
+
+/// The sample nearest to a place that faces whoever looks along `direction`; none where one that does not is nearer by more
+/// than points are apart: the back of an open mesh sends nothing.
+pub(super) fn nearest(
+    samples: &[BasisSample],
+    place: DVec3,
+    direction: DVec3,
+    apart: f32,
+) -> Option<u32> {
+    let (place, direction) = (place.as_vec3(), direction.as_vec3());
+    let mut nearest = f32::INFINITY;
+    let mut facing = (f32::INFINITY, None);
+    for (at, sample) in (0..).zip(samples) {
+        let far = Vec3::from(sample.position).distance_squared(place);
+        nearest = nearest.min(far);
+        if far < facing.0 && Vec3::from(sample.normal).dot(direction) < 0.0 {
+            facing = (far, Some(at));
+        }
+    }
+    let near = facing.0.sqrt() <= nearest.sqrt() + 2.0 * apart;
+    facing.1.filter(|_| near)
 }

@@ -1,8 +1,10 @@
-use super::*;
+use super::field::by_rays;
+use super::{IrradianceBasis, IrradianceField};
 use crate::shapes;
 use glam::{Vec3, vec3};
 use sh_core::Routines;
-use sh_scene::Texture;
+use sh_scene::{Material, Mesh, Texture};
+use std::f32::consts::TAU;
 
 const WHITE: Material = Material {
     albedo: [1.0; 3],
@@ -98,7 +100,7 @@ fn light_from_afar_on_a_ball_is_nine_functions() {
     let [one, four, nine, sixteen] = [1, 4, 9, 16].map(error);
     println!("{one} {four} {nine} {sixteen}");
     assert!(one > 0.3 && four > 0.05, "{one} {four}");
-    assert!(nine < 0.05 && sixteen < 0.02, "{nine} {sixteen}");
+    assert!(nine < 0.04 && sixteen < 0.04, "{nine} {sixteen}");
     // What is convex gives itself nothing.
     let own = basis.bounced(&weights);
     assert!(own.iter().flatten().all(|w| w.abs() < 1e-3), "{own:?}");
@@ -167,4 +169,92 @@ fn threads_change_nothing() {
         pool.unwrap().install(|| bake(&knot, 8))
     };
     assert_eq!(on(1), on(3));
+}
+
+/// The error of a field at places of some distances, over the field: roots of mean squares.
+fn field_error(mesh: &Mesh, weights: &[[f32; 3]]) -> Vec<(f32, f64)> {
+    let parts = [(mesh, &WHITE)];
+    let basis = IrradianceBasis::bake(&parts, weights.len(), &|_| {}).unwrap();
+    let field = IrradianceField::bake(&parts, &basis, &|_| {}).unwrap();
+    let lit = field.lit(weights);
+    let (center, radius) = (field.center, field.radius);
+    let mut errors = Vec::new();
+    for far in [1.2, 1.4, 2.0, 4.0, 7.5] {
+        let (mut off, mut all) = (0.0, 0.0);
+        for k in 0..40 {
+            let (a, b) = (2.399_963 * k as f32, 1.0 - 2.0 * (k as f32 + 0.37) / 40.0);
+            let wide = (1.0 - b * b).sqrt();
+            let out = vec3(wide * a.sin(), b, wide * a.cos());
+            let place = (center + out * far * radius).to_array();
+            let truth = by_rays(&parts, &basis, weights, place);
+            for (seen, truth) in lit.seen(place).iter().flatten().zip(truth.iter().flatten()) {
+                off += (f64::from(*seen) - truth).powi(2);
+                all += truth * truth;
+            }
+        }
+        errors.push((far, (off / all).sqrt()));
+    }
+    println!("{errors:?}, {} bytes", field.bytes());
+    errors
+}
+
+/// Of an evenly lit ball a disc is seen, whose SH vector is known.
+#[test]
+fn an_even_ball_is_seen_as_a_disc() {
+    let ball = shapes::ball(1.5, 5);
+    let parts = [(&ball, &WHITE)];
+    let basis = IrradianceBasis::bake(&parts, 1, &|_| {}).unwrap();
+    let field = IrradianceField::bake(&parts, &basis, &|_| {}).unwrap();
+    let lit = field.lit(&[[2.0; 3]]);
+    for far in [1.2_f32, 1.5, 2.0, 4.0, 8.0, 20.0] {
+        let place = vec3(0.3, -0.8, 0.52).normalize() * (1.5 * far);
+        // Of each band 2π times the integral of its polynomial over the disc.
+        let c = (1.0 - far.powi(-2)).sqrt();
+        let polynomials = [1.0, c, 1.5 * c * c - 0.5, (2.5 * c * c - 1.5) * c];
+        let fourth = (35.0 * c * c - 30.0) * c * c / 8.0 + 0.375;
+        let [p0, p1, p2, p3] = polynomials;
+        let bands = [
+            p0 - p1,
+            (p0 - p2) / 3.0,
+            (p1 - p3) / 5.0,
+            (p2 - fourth) / 7.0,
+        ];
+        let towards = <[f32; 16]>::basis((-place.normalize()).to_array());
+        let disc: Vec<f32> = (0..16_usize)
+            .map(|i| 2.0 * TAU * bands[i.isqrt()] * towards[i])
+            .collect();
+        let seen = lit.seen(place.to_array())[1];
+        let (mut off, mut whole) = (0.0, 0.0);
+        for (seen, disc) in seen.iter().zip(&disc) {
+            off += (seen - disc).powi(2);
+            whole += disc * disc;
+        }
+        let error = (off / whole).sqrt();
+        println!("{far}: {error}");
+        assert!(error < 0.02, "{far}: {error}");
+    }
+    // As near as that nothing is told.
+    assert_eq!(lit.seen([0.0, 1.6, 0.0]), [[0.0; 16]; 3]);
+    assert_eq!(lit.seen([f32::NAN; 3]), [[0.0; 16]; 3]);
+}
+
+/// The series against rays from other places than it was fitted at, of bodies of any shape in any light.
+#[test]
+fn series_are_what_rays_see() {
+    let weights: Vec<[f32; 3]> = (0..8)
+        .map(|i| [1.0, (1.3 * i as f32).cos(), 1.0 / (1.0 + i as f32)])
+        .collect();
+    for mesh in [
+        shapes::torus_knot(2, 3, 1.0, 0.4, 0.25),
+        shapes::rounded_box(vec3(1.0, 0.4, 0.8), 0.05),
+    ] {
+        for (far, error) in field_error(&mesh, &weights) {
+            let most = match far {
+                1.2 => 0.25,
+                1.4 => 0.14,
+                _ => 0.08,
+            };
+            assert!(error < most, "{far}: {error}");
+        }
+    }
 }

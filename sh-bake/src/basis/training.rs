@@ -1,6 +1,6 @@
 //! Irradiance that a body is taught by: what falls on it of many lights, in its own shadow.
 
-use super::BasisSample;
+use super::samples::{BasisSample, apart, nearest};
 use crate::rays::Rays;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -15,6 +15,10 @@ const FAR: usize = ORDER * ORDER;
 const NEAR: usize = 64;
 /// Radii of these, over the body's.
 const SPHERES: [f64; 4] = [1.05, 1.25, 1.55, 2.0];
+
+/// How much more a light counts that is far away, in the mean of all of them: together as much as all near by, which are
+/// more, and light a few points each.
+const FAR_COUNTS: f64 = 4.0;
 
 /// Rays a sample.
 pub(super) const RAYS: usize = 256;
@@ -34,7 +38,7 @@ struct Seen {
 
 /// What lights give, and how a body lights itself.
 pub(super) struct Training {
-    /// Irradiance at all samples, light by light; each with a mean square of 1, or 0.
+    /// Irradiance at all samples, light by light, scaled by how much each counts.
     pub columns: Vec<Vec<f64>>,
     /// For each sample those that it sees, one a ray.
     pub met: Vec<Vec<u32>>,
@@ -43,7 +47,7 @@ pub(super) struct Training {
 /// Irradiance of all lights at all samples.
 pub(super) fn training(samples: &[BasisSample], rays: &Rays, tell: &(dyn Fn() + Sync)) -> Training {
     let lights = near_lights(rays);
-    let apart = (rays.area() / samples.len() as f64).sqrt() as f32;
+    let apart = apart(rays, samples.len());
     let look = |index: usize| {
         let seen = look((samples, apart), index, rays, &lights);
         tell();
@@ -57,10 +61,15 @@ pub(super) fn training(samples: &[BasisSample], rays: &Rays, tell: &(dyn Fn() + 
     for i in 0..FAR {
         columns.push(bounced(&columns[i], samples, &met));
     }
-    for column in &mut columns {
-        let mean = column.iter().map(|x| x * x).sum::<f64>() / column.len().max(1) as f64;
-        if mean > 0.0 {
-            let scale = mean.sqrt().recip();
+    let square = |c: &[f64]| c.iter().map(|x| x * x).sum::<f64>() / c.len().max(1) as f64;
+    // One scale for all that is far away: what gives a body little counts for little.
+    let far = columns[..FAR].iter().map(|c| square(c)).sum::<f64>() / FAR as f64;
+    for (index, column) in columns.iter_mut().enumerate() {
+        let scale = match index.checked_sub(FAR) {
+            Some(near) if near < lights.len() => square(column).sqrt().recip(),
+            _ => FAR_COUNTS / far.sqrt(),
+        };
+        if scale.is_finite() {
             column.iter_mut().for_each(|x| *x *= scale);
         }
     }
@@ -78,7 +87,7 @@ fn bounced(irradiance: &[f64], samples: &[BasisSample], met: &[Vec<u32>]) -> Vec
 
 fn near_lights(rays: &Rays) -> Vec<DVec3> {
     let on = |radius: &f64| {
-        let radius = radius * rays.radius;
+        let radius = radius * rays.reach;
         (0..NEAR).map(move |k| rays.center + even(k, NEAR, -1.0) * radius)
     };
     SPHERES.iter().flat_map(on).collect()
@@ -132,25 +141,8 @@ fn look(
         let (far, direction) = (to.length(), to.normalize_or_zero());
         let cosine = normal.dot(direction);
         let hidden = cosine <= 0.0 || rays.between(from, direction, far);
-        let square = (rays.radius / far).powi(2);
+        let square = (rays.reach / far).powi(2);
         seen.near.push(if hidden { 0.0 } else { cosine * square });
     }
     seen
-}
-
-/// The sample nearest to a place that faces whoever looks along `direction`; none where one that does not is nearer by more
-/// than points are apart: the back of an open mesh sends nothing.
-fn nearest(samples: &[BasisSample], place: DVec3, direction: DVec3, apart: f32) -> Option<u32> {
-    let (place, direction) = (place.as_vec3(), direction.as_vec3());
-    let mut nearest = f32::INFINITY;
-    let mut facing = (f32::INFINITY, None);
-    for (at, sample) in (0..).zip(samples) {
-        let far = Vec3::from(sample.position).distance_squared(place);
-        nearest = nearest.min(far);
-        if far < facing.0 && Vec3::from(sample.normal).dot(direction) < 0.0 {
-            facing = (far, Some(at));
-        }
-    }
-    let near = facing.0.sqrt() <= nearest.sqrt() + 2.0 * apart;
-    facing.1.filter(|_| near)
 }
