@@ -35,7 +35,8 @@ pub struct Step {
 
 impl Plan {
     /// The steps of a frame whose grids are divided into so many bands: at half resolution, and of samples. What runs over
-    /// pixels or the rest goes along with the samples it belongs to.
+    /// pixels or the rest goes along with the samples it belongs to. What bodies do to each other comes before all bands, turn
+    /// by turn.
     ///
     /// ```
     /// # use sh_scene::*;
@@ -65,6 +66,7 @@ impl Plan {
         }
         steps
     }
+
     /// Adds what of a phase runs in a turn.
     fn add(&self, phase: Phase, turn: u32, part: Part, steps: &mut Vec<Step>) {
         let passes = self.passes.iter().enumerate();
