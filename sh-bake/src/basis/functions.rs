@@ -14,8 +14,8 @@ use sh_scene::{Material, Mesh};
 /// use sh_scene::Material;
 /// let (knot, white) = (shapes::torus_knot(2, 3, 1.0, 0.4, 0.25), Material { albedo: [1.0; 3], texture: None });
 /// let basis = IrradianceBasis::bake(&[(&knot, &white)], 16, &|_| {}).unwrap();
-/// // Of all lights that it was taught by, the functions tell nearly everything.
-/// assert!(basis.held(16) > 0.97);
+/// // Of all lights that it was taught by, 16 functions tell most.
+/// assert!(basis.held(16) > 0.8);
 /// // Light that falls evenly is the first function alone.
 /// let even = vec![[0.5, 1.0, 2.0]; basis.samples().len()];
 /// assert!((basis.weights(&even)[0][2] - 2.0).abs() < 1e-5);

@@ -146,3 +146,65 @@ fn look(
     }
     seen
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::basis::samples::samples;
+    use sh_scene::{Material, Mesh};
+
+    /// A floor under a smaller roof, both of which face up: what the roof hides of lights, near by and far away, is dark.
+    #[test]
+    fn bodies_are_taught_in_their_own_shadow() {
+        let plate = |half: f32, height: f32| {
+            [[-half, -half], [half, -half], [half, half], [-half, half]]
+                .map(|[x, z]| [x, height, z])
+        };
+        let mesh = Mesh {
+            positions: [plate(1.0, 0.0), plate(0.5, 0.3)].concat(),
+            normals: vec![[0.0, 1.0, 0.0]; 8],
+            triangles: vec![[0, 2, 1], [0, 3, 2], [4, 6, 5], [4, 7, 6]],
+            ..Mesh::default()
+        };
+        let white = Material {
+            albedo: [1.0; 3],
+            texture: None,
+        };
+        let parts = [(&mesh, &white)];
+        let rays = Rays::of(&parts).unwrap();
+        let points = samples(&parts, 400);
+        let taught = training(&points, &rays, &|| {});
+        let (mut dark, mut lit) = (0, 0);
+        for (k, light) in near_lights(&rays).iter().enumerate() {
+            for (i, point) in points
+                .iter()
+                .enumerate()
+                .filter(|(_, p)| p.position[1] < 0.1)
+            {
+                let from = Vec3::from(point.position).as_dvec3();
+                let at = from + (*light - from) * (0.3 / light.y);
+                let beside = at.x.abs().max(at.z.abs());
+                let irradiance = taught.columns[FAR + k][i];
+                // What is right at the roof's edge is left alone.
+                if light.y > 0.35 && beside < 0.49 {
+                    assert!(irradiance == 0.0, "{light}, {from}: {irradiance}");
+                    dark += 1;
+                } else if light.y > 0.35 && beside > 0.51 {
+                    assert!(irradiance > 0.0, "{light}, {from}");
+                    lit += 1;
+                }
+            }
+        }
+        assert!(dark > 1000 && lit > 1000, "{dark} {lit}");
+        // The first far light is even: under the middle of the roof most of it is gone.
+        let middle = |p: &BasisSample| p.position[0].abs().max(p.position[2].abs()) < 0.2;
+        let mean = |on: &dyn Fn(&BasisSample) -> bool| {
+            let some = points.iter().zip(&taught.columns[0]).filter(|(p, _)| on(p));
+            let (sum, count) = some.fold((0.0, 0.0), |(s, n), (_, e)| (s + e, n + 1.0));
+            sum / count
+        };
+        let [under, above] = [-0.1, 0.1]
+            .map(|side: f32| mean(&|p| middle(p) && (p.position[1] - 0.15) * side > 0.0));
+        assert!(under < 0.5 * above, "{under} {above}");
+    }
+}
