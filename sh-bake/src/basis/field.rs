@@ -11,7 +11,7 @@
 
 use super::functions::IrradianceBasis;
 use super::harmonics::harmonics;
-use super::samples::{apart, nearest};
+use super::samples::{apart, even, nearest};
 use crate::rays::Rays;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -79,8 +79,9 @@ impl IrradianceField {
     ) -> Option<Self> {
         let rays = Rays::of(parts)?;
         let done = std::sync::atomic::AtomicUsize::new(0);
+        let apart = apart(&rays, basis.samples().len());
         let look = |place: DVec3| {
-            let seen = look(place, &rays, basis);
+            let seen = look(place, &rays, basis, apart);
             let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
             progress(0.9 * done as f32 / PLACES as f32);
             seen
@@ -172,20 +173,16 @@ fn terms(from: DVec3, radius: f64) -> Vec<f64> {
 
 /// The k-th place, evenly in direction and in R/r.
 fn place(k: usize, rays: &Rays) -> DVec3 {
-    let height = 1.0 - 2.0 * (k as f64 + 0.5) / PLACES as f64;
-    let (sin, cos) = (k as f64 * TAU * 0.618_033_988_749_895).sin_cos();
-    let wide = (1.0 - height * height).sqrt();
     // Another irrational number than that of the turn.
     let part = (k as f64 * 0.754_877_666_246_693).fract();
     let [near, far] = RANGE.map(f64::recip);
     let inverse = far + (near - far) * part;
-    rays.center + DVec3::new(wide * cos, height, wide * sin) * (rays.reach / inverse)
+    rays.center + even(k, PLACES, -1.0) * (rays.reach / inverse)
 }
 
 /// What is seen from a place: for each function and channel an SH vector.
-fn look(from: DVec3, rays: &Rays, basis: &IrradianceBasis) -> Vec<[f64; SEEN]> {
+fn look(from: DVec3, rays: &Rays, basis: &IrradianceBasis, apart: f32) -> Vec<[f64; SEEN]> {
     let samples = basis.samples();
-    let apart = apart(rays, samples.len());
     let mut seen = vec![[0.0; SEEN]; basis.count() * 3];
     let to = rays.center - from;
     let axis = to.normalize();
@@ -194,10 +191,8 @@ fn look(from: DVec3, rays: &Rays, basis: &IrradianceBasis) -> Vec<[f64; SEEN]> {
     let lowest = (1.0 - (rays.reach / to.length()).powi(2)).max(0.0).sqrt();
     let share = TAU * (1.0 - lowest) / RAYS as f64;
     for k in 0..RAYS {
-        let height = 1.0 - (1.0 - lowest) * (k as f64 + 0.5) / RAYS as f64;
-        let (sin, cos) = (k as f64 * TAU * 0.618_033_988_749_895).sin_cos();
-        let wide = (1.0 - height * height).max(0.0).sqrt();
-        let direction = axis * height + side * (cos * wide) + other * (sin * wide);
+        let around = even(k, RAYS, lowest);
+        let direction = axis * around.y + side * around.x + other * around.z;
         let met = rays.first(from, direction);
         let Some(at) = met.and_then(|place| nearest(samples, place, direction, apart)) else {
             continue;
@@ -310,7 +305,8 @@ pub(super) fn by_rays(
     place: [f32; 3],
 ) -> [[f64; SEEN]; 3] {
     let rays = Rays::of(parts).expect("it has triangles");
-    let all = look(Vec3::from(place).as_dvec3(), &rays, basis);
+    let apart = apart(&rays, basis.samples().len());
+    let all = look(Vec3::from(place).as_dvec3(), &rays, basis, apart);
     let mut sum = [[0.0; SEEN]; 3];
     for (fields, weight) in all.chunks_exact(3).zip(weights) {
         for ((sum, field), weight) in sum.iter_mut().zip(fields).zip(weight) {

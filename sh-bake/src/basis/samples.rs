@@ -3,6 +3,7 @@
 use crate::rays::Rays;
 use crate::surface::{Crossing, Part, albedo, normal};
 use glam::{DVec3, Vec3};
+use std::f64::consts::TAU;
 
 /// A point of a body's surface at which irradiance is looked up; each stands for as much area as the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,4 +101,12 @@ pub(super) fn nearest(
     }
     let near = facing.0.sqrt() <= nearest.sqrt() + 2.0 * apart;
     facing.1.filter(|_| near)
+}
+
+/// The k-th of some directions that are spread evenly over heights from `low` to 1.
+pub(super) fn even(k: usize, count: usize, low: f64) -> DVec3 {
+    let height = 1.0 - (1.0 - low) * (k as f64 + 0.5) / count as f64;
+    let (sin, cos) = (k as f64 * TAU * 0.618_033_988_749_895).sin_cos();
+    let wide = (1.0 - height * height).max(0.0).sqrt();
+    DVec3::new(wide * cos, height, wide * sin)
 }

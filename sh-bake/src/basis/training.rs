@@ -1,6 +1,6 @@
 //! Irradiance that a body is taught by: what falls on it of many lights, in its own shadow.
 
-use super::samples::{BasisSample, apart, nearest};
+use super::samples::{BasisSample, apart, even, nearest};
 use crate::rays::Rays;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -91,14 +91,6 @@ fn near_lights(rays: &Rays) -> Vec<DVec3> {
         (0..NEAR).map(move |k| rays.center + even(k, NEAR, -1.0) * radius)
     };
     SPHERES.iter().flat_map(on).collect()
-}
-
-/// The k-th of some directions that are spread evenly over heights from `low` to 1.
-fn even(k: usize, count: usize, low: f64) -> DVec3 {
-    let height = 1.0 - (1.0 - low) * (k as f64 + 0.5) / count as f64;
-    let (sin, cos) = (k as f64 * TAU * 0.618_033_988_749_895).sin_cos();
-    let wide = (1.0 - height * height).max(0.0).sqrt();
-    DVec3::new(wide * cos, height, wide * sin)
 }
 
 fn look(
