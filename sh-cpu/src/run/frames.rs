@@ -39,7 +39,8 @@ pub struct Frame {
     pub buffers: Vec<Buffer>,
     /// What had changed since the frame before.
     pub changes: Changes,
-    /// Pairs of a receiver and a blocker of its cluster.
+    /// Pairs of a receiver and a blocker of its cluster. This and the counts below are of points on surfaces as well, in
+    /// frames that light them.
     pub pairs: usize,
     /// Receivers whose shadow was computed.
     pub shadowed: usize,
