@@ -1,7 +1,7 @@
 //! What was done, why, and how long it took: for a person and as JSON.
 
 use serde::Serialize;
-use sh_bake::{FitReport, SurfaceReport};
+use sh_bake::{BasisReport, FitReport, SurfaceReport};
 use sh_scene::Plan;
 use std::fmt;
 use std::path::PathBuf;
@@ -123,6 +123,34 @@ impl Surface {
     }
 }
 
+/// The functions in which a body's irradiance is told.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Basis {
+    /// The body's name.
+    pub name: String,
+    /// How many functions; 0 where nothing of it can be lit, and it sends nothing on.
+    pub functions: usize,
+    /// What they tell of the light that they were found by, 0 to 1.
+    pub held: f32,
+    /// What they take in memory, patches included.
+    pub bytes: usize,
+    /// Whether they come from the cache.
+    pub cached: bool,
+}
+
+impl Basis {
+    /// From what was found.
+    pub fn new(found: &BasisReport) -> Self {
+        Self {
+            name: found.name.clone(),
+            functions: found.functions,
+            held: found.held,
+            bytes: found.bytes,
+            cached: found.cached,
+        }
+    }
+}
+
 /// Frames that were rendered.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Sequence {
@@ -163,6 +191,9 @@ pub struct Report {
     /// The surface samples of bodies that send light on; none where none do.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub surfaces: Vec<Surface>,
+    /// The functions of bodies that send light on by their patches; none where none do.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub bases: Vec<Basis>,
     /// What moves: sentences.
     pub moves: Vec<String>,
     /// What was wrong with the files and has been put right: sentences.
@@ -236,6 +267,24 @@ impl fmt::Display for Report {
             let cached = if *cached { "   from the cache" } else { "" };
             let kilobytes = bytes.div_ceil(1000);
             writeln!(f, "  {name:<20} {points:>4}   {kilobytes} kB{cached}")?;
+        }
+        if !self.bases.is_empty() {
+            writeln!(f, "\nFunctions of irradiance (what they tell, memory)")?;
+        }
+        for Basis {
+            name,
+            functions,
+            held,
+            bytes,
+            cached,
+        } in &self.bases
+        {
+            let cached = if *cached { "   from the cache" } else { "" };
+            let (held, kilobytes) = (100.0 * held, bytes.div_ceil(1000));
+            writeln!(
+                f,
+                "  {name:<20} {functions:>4}   {held:.1} %   {kilobytes} kB{cached}"
+            )?;
         }
         writeln!(f, "\nPlan")?;
         for Planned { pass, reason } in &self.plan {

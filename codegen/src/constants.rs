@@ -43,9 +43,11 @@ pub struct Constant {
 
 /// All constants, topic by topic.
 pub fn all() -> impl Iterator<Item = &'static Constant> {
-    [ORDER, STORAGE, GRID, BALL, CUT, LAMP, SENDER, ANGLE]
-        .into_iter()
-        .flatten()
+    [
+        ORDER, STORAGE, GRID, BALL, CUT, COARSE, LAMP, SENDER, PATCH, ANGLE,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// The constant of a name.
@@ -161,6 +163,20 @@ const CUT: &[Constant] = &[
     },
 ];
 
+/// Cuts of spheres that hide patches.
+const COARSE: &[Constant] = &[
+    Constant {
+        name: "COARSER",
+        value: Single(1.5),
+        doc: "How much larger nodes may be, seen from a cluster, each time that its cut has more of them than there is ROOM for.",
+    },
+    Constant {
+        name: "COARSEST",
+        value: Word(12),
+        doc: "How often that is tried: up to 129 times as large. What does not fit then hides nothing.",
+    },
+];
+
 /// Lamps, and what is behind them.
 const LAMP: &[Constant] = &[
     Constant {
@@ -236,6 +252,53 @@ const SENDER: &[Constant] = &[
         value: Double(3e-4),
         doc: "More than three angles err by together, in radians: three times 6.8e-5, and rounding. Discs that are apart by so \
               much cover nothing of each other.",
+    },
+];
+
+/// Patches of surfaces that send light on, and regions of them.
+const PATCH: &[Constant] = &[
+    Constant {
+        name: "PATCH_SAMPLES",
+        value: Count(4),
+        doc: "Samples of a patch of a surface, each for as much area as the others. Irradiance is looked up at the first: as \
+              many points as patches.",
+    },
+    Constant {
+        name: "REGION_PATCHES",
+        value: Count(16),
+        doc: "Patches of a region, which stands for them from afar.",
+    },
+    Constant {
+        name: "REFINED",
+        value: Double(3.0),
+        doc: "Nearer to the centre of a region than so many of its radii its patches count in its place.",
+    },
+    Constant {
+        name: "ENTIRE",
+        value: Double(4.5),
+        doc: "Farther away than so many radii a region counts as a whole; between this and REFINED it changes gradually, so that \
+              nothing jumps.",
+    },
+    Constant {
+        name: "SPLIT",
+        value: Double(4.0),
+        doc: "Nearer to the centre of a patch than so many roots of its area its parts count in its place.",
+    },
+    Constant {
+        name: "JOINED",
+        value: Double(5.0),
+        doc: "Farther away than so many roots of its area a patch counts as a whole.",
+    },
+    Constant {
+        name: "LIFTED",
+        value: Double(0.5),
+        doc: "How far a receiver is lifted off the plane of a disc that it lies in, over the root of the disc's area: half of what \
+              discs are apart. So near single ones would be seen, and from there a plane of them is even within 4 %.",
+    },
+    Constant {
+        name: "BEHIND",
+        value: Double(0.25),
+        doc: "How far behind its plane a disc is gone, over what receivers are lifted: no more than what is curved sticks out.",
     },
 ];
 

@@ -84,3 +84,46 @@ struct Sender {
     object: u32,
     node: u32,
 }
+
+// A rigid body whose light is told in few functions, and where it is; sh_gpu::records::Basis.
+struct Basis {
+    world_from_object: mat4x4f,
+    object_from_world: mat4x4f,
+    // The ball around it in the world.
+    center: vec3f,
+    radius: f32,
+    // Metres of the world a metre of its own; 0: it is nowhere to be seen.
+    scale: f32,
+    // The body, as receivers carry it.
+    object: u32,
+    // Its first patch, and how many it has.
+    first: u32,
+    patches: u32,
+    // How many functions; where their weights begin, and what tells them.
+    functions: u32,
+    weights: u32,
+    duals: u32,
+    sends: u32,
+    // Where what its patches send on begins; and its regions.
+    light: u32,
+    // Whether it sends itself light.
+    own: u32,
+    unused: vec2u,
+}
+
+// A flat part of a surface; sh_scene::basis::Disc.
+struct Disc {
+    center: vec3f,
+    // As it is seen from its normal.
+    area: f32,
+    normal: vec3f,
+    unused: f32,
+}
+
+// A part of a body's surface, in the body's own space: as a disc, and, for who is near, as several; sh_scene::basis::Patch.
+struct Patch {
+    whole: Disc,
+    discs: array<Disc, PATCH_SAMPLES>,
+    // What of it is seen by direction: b; xx, yy, zz; xy, yz, zx.
+    escape: array<vec4f, 3>,
+}

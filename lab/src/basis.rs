@@ -10,11 +10,12 @@ use gaunt::progress::Progress;
 use glam::{Affine3A, Vec3};
 use rayon::prelude::*;
 use serde::Serialize;
-use sh_bake::{BasisSample, IrradianceBasis, load_mesh, shapes};
+use sh_bake::{irradiance_basis, load_mesh, shapes};
 use sh_core::Routines;
 use sh_reference::paths::{Options as Tracing, PathTracer};
 use sh_scene::{
-    AreaLight, Camera, EnvironmentMap, Material, Mesh, Object, Scene, Settings, SurfaceSamples,
+    AreaLight, BasisSample, Camera, EnvironmentMap, IrradianceBasis, Material, Mesh, Object, Scene,
+    Settings, SurfaceSamples,
 };
 use std::fmt::Write as _;
 use std::io::Write;
@@ -132,7 +133,7 @@ fn measure(
         .iter()
         .map(|(mesh, material)| (mesh, material))
         .collect();
-    let basis = IrradianceBasis::bake(&borrowed, IrradianceBasis::MOST, &|_| {});
+    let basis = irradiance_basis(&borrowed, IrradianceBasis::MOST, &|_| {});
     let basis =
         basis.ok_or_else(|| Error::Usage(format!("{name} has no triangle of any extent")))?;
     let seconds = start.elapsed().as_secs_f64();
@@ -205,6 +206,7 @@ fn traced(
         spheres: Vec::new(),
         weights: Vec::new(),
         part_of: None,
+        basis: None,
         surface: SurfaceSamples::default(),
     };
     // So bright that the lamp gives about 1 where it shines straight down.

@@ -48,6 +48,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             spheres: if i == 0 { grown.clone() } else { Vec::new() },
             weights: Vec::new(),
             part_of: None,
+            basis: None,
             surface: if i == 0 {
                 surface.clone()
             } else {

@@ -68,6 +68,7 @@ pub fn default_scene_with(
             spheres: fitted.what.spheres.clone(),
             weights: Vec::new(),
             part_of: None,
+            basis: None,
             surface: SurfaceSamples::default(),
         };
         let lowest = object.bounds().map_or(0.0, |[low, _]| low.y);

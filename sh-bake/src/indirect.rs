@@ -2,28 +2,35 @@
 
 use crate::error::Error;
 use crate::keys::Section;
-use sh_scene::{Blocking, Indirect};
+use sh_scene::{Blocking, Indirect, Method};
 
 /// What `[indirect]` knows.
-pub(crate) const KEYS: [&str; 3] = ["method", "bounces", "blocking"];
-
-/// The methods there are.
-const METHOD: &str = "spherical-lights";
+pub(crate) const KEYS: [&str; 4] = ["method", "bounces", "blocking", "basis"];
 
 /// Reads `[indirect]`.
 pub(crate) fn read(s: &Section) -> Result<Indirect, Error> {
-    match s.string("method")? {
-        Some(METHOD) => {}
-        Some(other) => {
-            let message = format!("is \"{other}\", but the method there is is \"{METHOD}\".");
-            return Err(s.error("method", message));
-        }
+    let names = || {
+        Method::ALL
+            .map(|m| format!("\"{}\"", m.name()))
+            .join(" or ")
+    };
+    let method = match s.string("method")? {
+        Some(name) => Method::ALL
+            .into_iter()
+            .find(|method| method.name() == name)
+            .ok_or_else(|| {
+                let message = format!("is \"{name}\", but it has to be {}.", names());
+                s.error("method", message)
+            })?,
         None => {
-            let message = format!("is missing: the method there is is \"{METHOD}\".");
+            let message = format!("is missing: it has to be {}.", names());
             return Err(s.error("method", message));
         }
-    }
-    let mut indirect = Indirect::default();
+    };
+    let mut indirect = Indirect {
+        method,
+        ..Indirect::default()
+    };
     if let Some(bounces) = s.count("bounces", 1..=Indirect::MOST_BOUNCES as usize)? {
         indirect.bounces = bounces as u32;
     }

@@ -69,9 +69,10 @@
 //! enabled = true               # false: no ground
 //!
 //! [indirect]                   # bodies light each other; they do not where nothing is said
-//! method = "spherical-lights"  # by their spheres; the only one there is
+//! method = "spherical-lights"  # by their spheres; or "basis-irradiance": by patches, of bodies that do not bend
 //! bounces = 1                  # 1 to 16: how often light is sent on before it reaches what is seen
-//! blocking = "discs"           # what hides a light; "runs", "sphere", "object": sh_scene::Blocking
+//! blocking = "discs"           # what hides the light of spheres; "runs", "sphere", "object": sh_scene::Blocking
+//! basis = 16                   # by patches: functions that tell what falls on a body, 1 to 64
 //!
 //! [camera]                     # frames the objects where nothing is said
 //! eye = [3, 2, 5]
@@ -114,8 +115,8 @@ mod spheres;
 mod surface;
 mod weights;
 
-pub use basis::{BasisSample, IrradianceBasis, IrradianceField, LitField};
-pub use bodies::{SurfaceReport, WeightReport};
+pub use basis::{IrradianceField, LitField, irradiance_basis};
+pub use bodies::{BasisReport, SurfaceReport, WeightReport};
 pub use cache::Cache;
 pub use choices::Choices;
 pub use default_scene::{default_scene, default_scene_with};

@@ -1,6 +1,6 @@
 //! From a scene file to a scene.
 
-use crate::bodies::{self, Fit, Found, SurfaceReport, WeightReport, once};
+use crate::bodies::{self, BasisReport, Fit, Found, SurfaceReport, WeightReport, once};
 use crate::cache::Cache;
 use crate::choices::Choices;
 use crate::environment::load_environment;
@@ -14,7 +14,7 @@ use crate::scene_file::SceneFile;
 use crate::spheres::{SphereSet, is_closed};
 use glam::Vec3;
 use sh_scene::motion::Motion;
-use sh_scene::{AreaLight, Camera, Ground, Mesh, Object, Scene, Sky, SurfaceSamples};
+use sh_scene::{AreaLight, Camera, Ground, Mesh, Method, Object, Scene, Sky, SurfaceSamples};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -42,6 +42,8 @@ pub struct Report {
     pub weights: Vec<WeightReport>,
     /// The surface samples of each body; empty where the scene has no indirect light.
     pub surfaces: Vec<SurfaceReport>,
+    /// The functions that tell each body's irradiance; empty where the scene's method is another.
+    pub bases: Vec<BasisReport>,
     /// What moves: sentences.
     pub moves: Vec<String>,
     /// Time for reading files, and for the sky where there is no map.
@@ -52,6 +54,8 @@ pub struct Report {
     pub weight_time: Duration,
     /// Time for sampling all surfaces.
     pub surface_time: Duration,
+    /// Time for finding all functions.
+    pub basis_time: Duration,
 }
 
 /// A sphere set, as far as a person wants to know.
@@ -180,11 +184,13 @@ pub fn load_scene_with<'a>(
     }
 
     let (mut objects, mut motion) = (Vec::new(), Motion::default());
-    let mut whole = Vec::new();
+    // Bodies, and which of them bend.
+    let (mut whole, mut bends) = (Vec::new(), Vec::new());
     let mut rigs = Rigs::default();
     for (entry, clip) in file.objects.iter().zip(clips) {
         let (first, mesh) = (objects.len(), entry.mesh.as_path());
         let model = &models[mesh];
+        bends.push(clip.is_some() && model.figure.is_some());
         let mut set: &SphereSet = &sets[&(mesh, entry.spheres)];
         if let (Some(clip), Some(figure)) = (clip, &model.figure) {
             let moving = rigs.moving((mesh, entry.spheres, clip), model, figure, set)?;
@@ -204,8 +210,16 @@ pub fn load_scene_with<'a>(
     }
     report.fit_time = start.elapsed();
     if file.settings.indirect.is_some() || choices.surfaces {
+        let by_patches = file.settings.indirect.map(|i| i.method) == Some(Method::BasisIrradiance);
+        let (told, sampled): (Vec<_>, Vec<_>) =
+            (whole.iter().cloned().zip(bends)).partition(|(_, bends)| by_patches && !bends);
+        let [told, sampled] =
+            [told, sampled].map(|all| all.into_iter().map(|(body, _)| body).collect::<Vec<_>>());
         let start = Instant::now();
-        report.surfaces = bodies::sample(&mut objects, &whole, cache, progress);
+        report.bases = bodies::tell(&mut objects, &told, file.functions, cache, progress);
+        report.basis_time = start.elapsed();
+        let start = Instant::now();
+        report.surfaces = bodies::sample(&mut objects, &sampled, cache, progress);
         motion.add_surfaces(&objects);
         report.surface_time = start.elapsed();
     }
@@ -278,6 +292,7 @@ fn of_entry(entry: &ObjectEntry, model: &Model, set: &SphereSet, first: usize) -
             spheres,
             weights: Vec::new(),
             part_of: (i > 0).then_some(first),
+            basis: None,
             surface: SurfaceSamples::default(),
         }
     };

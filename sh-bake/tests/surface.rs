@@ -3,10 +3,10 @@
 use glam::{Quat, Vec3};
 use sh_bake::{Cache, ClipChoice, Loaded, load_scene_with, shapes};
 use sh_scene::surface::DIRECTIONS;
-use sh_scene::{Blocking, Indirect};
+use sh_scene::{Blocking, Indirect, IrradianceBasis, Method};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 /// A folder of its own for each test, gone afterwards.
 struct Folder(PathBuf);
@@ -87,6 +87,7 @@ fn surfaces_are_sampled_where_a_scene_asks_for_it() {
     let indirect = Indirect {
         bounces: 3,
         blocking: Blocking::Object,
+        ..Indirect::default()
     };
     assert_eq!(with.scene.settings.indirect, Some(indirect));
     for (object, albedo) in with.scene.objects.iter().zip([0.8, 0.5]) {
@@ -205,4 +206,50 @@ fn samples_go_along_with_a_clip() {
         }
     }
     assert!(moved > 0.1, "{moved}");
+}
+
+/// Bodies whose light is told in functions have these in place of samples, found once for those that are alike, in as many
+/// functions as the scene asks for, and from the cache bit by bit. A damaged file is as good as none.
+#[test]
+fn functions_are_found_where_a_scene_asks_for_them() {
+    let folder = Folder::new("functions");
+    let asks = "[indirect]\nmethod = \"basis-irradiance\"\nbounces = 2\nbasis = 5\n";
+    let (scene, cache) = (folder.scene("albedo = 0.5", asks), folder.cache());
+    let first = load(&scene, Some(&cache));
+    let indirect = first.scene.settings.indirect.unwrap();
+    assert_eq!(
+        (indirect.method, indirect.bounces),
+        (Method::BasisIrradiance, 2)
+    );
+    let bases = |loaded: &Loaded| -> Vec<Arc<IrradianceBasis>> {
+        let objects = loaded.scene.objects.iter();
+        objects
+            .map(|o| Arc::clone(o.basis.as_ref().unwrap()))
+            .collect()
+    };
+    let found = bases(&first);
+    assert!(found.iter().all(|basis| basis.count() == 5));
+    assert!(first.scene.objects.iter().all(|o| o.surface.is_empty()));
+    // They differ in their albedo, and so in what patches send on.
+    assert_eq!(first.report.bases.len(), 2);
+    assert_ne!(found[0].sends(), found[1].sends());
+    assert!(first.report.bases.iter().all(|b| b.held > 0.5 && !b.cached));
+    let second = load(&scene, Some(&cache));
+    assert!(second.report.bases.iter().all(|b| b.cached));
+    assert_eq!(bases(&second), found);
+    let kept = folder.kept("basis");
+    assert_eq!(kept.len(), 2);
+    for (file, cut) in kept.iter().zip([100, 40_000]) {
+        let bytes = std::fs::read(file).unwrap();
+        std::fs::write(file, &bytes[..cut]).unwrap();
+    }
+    let third = load(&scene, Some(&cache));
+    assert!(third.report.bases.iter().all(|b| !b.cached));
+    assert_eq!(bases(&third), found);
+    // Alike, they share one.
+    let alike = load(&folder.scene("", asks), None);
+    let [a, b] = &bases(&alike)[..] else {
+        panic!("two bodies")
+    };
+    assert!(Arc::ptr_eq(a, b) && alike.report.bases.len() == 1);
 }

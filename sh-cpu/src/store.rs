@@ -3,6 +3,8 @@
 use crate::device::cut::Cuts;
 use crate::device::geometry::Geometry;
 use crate::device::light_cuts::LightCuts;
+use crate::device::patch_cut::PatchCuts;
+use crate::device::patch_lights::PatchLights;
 use crate::device::spherical_lights::{Points, SphericalLights};
 use crate::lanes::path::Path;
 use crate::passes::gbuffer::Gbuffer;
@@ -43,6 +45,7 @@ pub(crate) struct Sets<'a> {
     pub brought_clusters: &'a [Range<usize>],
     pub brought_sent: Vec<[f32; 3]>,
     pub points: Points,
+    pub patches: Points,
 }
 
 /// One set of receivers.
@@ -59,6 +62,7 @@ impl Sets<'_> {
     pub fn of(&mut self, domain: Domain) -> Set<'_> {
         match domain {
             Domain::Points => self.points.set(),
+            Domain::Patches => self.patches.set(),
             Domain::Halves => Set {
                 receivers: &self.halves.receivers,
                 clusters: &self.half_clusters,
@@ -117,6 +121,8 @@ pub(crate) struct Spheres<'a> {
     pub cuts: &'a mut Cuts,
     pub lights: &'a mut SphericalLights,
     pub light_cuts: &'a mut LightCuts,
+    pub patch_lights: &'a mut PatchLights,
+    pub patch_cuts: &'a mut PatchCuts,
     pub counts: Counts,
 }
 

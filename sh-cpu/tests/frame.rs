@@ -2,16 +2,20 @@
 
 mod common;
 
+#[path = "../../tests/shared/ball_basis.rs"]
+mod ball_basis;
+
+use ball_basis::ball_basis;
 use bytemuck::Zeroable;
-use common::{object, scene, sphere_mesh};
+use common::{Random, object, scene, sphere_mesh};
 use glam::{Affine3A, Vec3, vec3};
 use sh_cpu::{Error, Frame, Frames, Gbuffer, Geometry, gbuffer, invalid, render, resolve};
 use sh_scene::passes::{GBUFFER, RESOLVE, SHADOW};
 use sh_scene::passes::{INVALID_SAMPLES, InvalidSamples};
 use sh_scene::surface::{SurfacePoint, directions};
 use sh_scene::{
-    AreaLight, Domain, EnvironmentMap, Ground, Indirect, PASSES, Plan, PlanError, Receiver, Scene,
-    View,
+    AreaLight, Domain, EnvironmentMap, Ground, Indirect, Method, PASSES, Plan, PlanError, Receiver,
+    Scene, View,
 };
 use std::sync::Mutex;
 
@@ -44,6 +48,23 @@ fn two_balls() -> Scene {
     second.transform = Affine3A::from_translation(vec3(2.1, 1.0, 0.3));
     scene.objects.push(second);
     scene.settings.indirect = Some(Indirect::default());
+    scene
+}
+
+/// The same by patches, in two bounces.
+fn two_balls_by_patches() -> Scene {
+    let mut scene = two_balls();
+    let mut random = Random(7);
+    let basis = ball_basis(&mut || random.number(), 1.0, 4);
+    for object in &mut scene.objects {
+        object.surface = Default::default();
+        object.basis = Some(basis.clone());
+    }
+    scene.settings.indirect = Some(Indirect {
+        method: Method::BasisIrradiance,
+        bounces: 2,
+        ..Indirect::default()
+    });
     scene
 }
 
@@ -170,7 +191,7 @@ fn half_resolution_keeps_the_bounced_light() {
 /// The passes of a plan are what runs, and each has something to do.
 #[test]
 fn what_runs_is_what_the_plan_says() {
-    let mut scenes = vec![ball(), two_balls()];
+    let mut scenes = vec![ball(), two_balls(), two_balls_by_patches()];
     for scene in scenes.clone() {
         let mut half = scene.clone();
         half.settings.half_resolution = true;
@@ -184,7 +205,14 @@ fn what_runs_is_what_the_plan_says() {
         seen.extend(plan.passes.iter().map(|planned| planned.pass));
         let frame = picture(&scene, &plan);
         // What is no pass of its own: the scene's part, and finding spheres.
-        let parts = ["hierarchy", "light", "forest", "cut", "light_cut"];
+        let parts = [
+            "hierarchy",
+            "light",
+            "forest",
+            "cut",
+            "light_cut",
+            "patch_cut",
+        ];
         let mut ran: Vec<_> = frame.stages.iter().map(|stage| stage.0).collect();
         ran.retain(|name| !parts.contains(name));
         let mut planned: Vec<_> = plan.passes.iter().map(|pass| pass.name()).collect();

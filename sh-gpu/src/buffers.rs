@@ -2,7 +2,6 @@
 
 use crate::scope::checked;
 use crate::{Bands, Error};
-use sh_scene::plan::Access;
 use sh_scene::resource::ALBEDO;
 use sh_scene::{Domain, Plan, Resource, Tiles};
 use std::borrow::Cow;
@@ -26,19 +25,19 @@ struct Held {
 }
 
 impl Buffers {
-    /// Those of a plan.
+    /// Those of a plan, with so many points around spheres and so many of patches.
     pub fn new(
         device: &Device,
         plan: &Plan,
         bands: &Bands,
         halves: Option<&Bands>,
-        points: u64,
+        points: [u64; 2],
     ) -> Result<Self, Error> {
         let most = device.limits().max_buffer_size;
         let mut all: Vec<Held> = Vec::new();
         let made = plan.passes.iter().enumerate().flat_map(|(maker, planned)| {
             let slots = planned.slots().into_iter();
-            let written = slots.filter(|slot| slot.access == Access::Write);
+            let written = slots.filter(|slot| slot.access.makes());
             written.map(move |slot| (maker, slot.bound(planned.at)))
         });
         for (maker, (resource, at)) in made {
@@ -101,7 +100,7 @@ impl Buffers {
                 let (offset, size) = bands.picture_range(band);
                 (offset / PIXEL, size / PIXEL)
             }
-            Domain::Points => (0, held.buffer.size() / held.stride),
+            Domain::Points | Domain::Patches => (0, held.buffer.size() / held.stride),
             // There is one band at a time.
             _ => (0, bands.receivers(band)),
         };
@@ -152,11 +151,12 @@ const PIXEL: u64 = 16;
 fn elements(
     resource: Resource,
     at: Domain,
-    (bands, halves, points): (&Bands, Option<&Bands>, u64),
+    (bands, halves, points): (&Bands, Option<&Bands>, [u64; 2]),
 ) -> Option<u64> {
     let all = |bands: &Bands, of: &dyn Fn(u32) -> u64| (0..bands.count()).map(of).sum::<u64>();
     let count = match at {
-        Domain::Points => points.max(1),
+        Domain::Points => points[0].max(1),
+        Domain::Patches => points[1].max(1),
         Domain::Samples => {
             let one = bands.receivers(0);
             match halves {
@@ -185,6 +185,7 @@ fn name(memory: &'static str, at: Domain) -> Cow<'static, str> {
     match at {
         Domain::Halves => format!("half_{memory}").into(),
         Domain::Points => format!("point_{memory}").into(),
+        Domain::Patches => format!("patch_{memory}").into(),
         _ => memory.into(),
     }
 }

@@ -71,6 +71,20 @@ pub enum Error {
         /// How many points they had.
         expected: usize,
     },
+    /// Bodies whose light is told in functions that the pass was not made for.
+    #[error(
+        "{bodies} bodies have {patches} patches, but the pass was made for {expected} with {made_for}, each with as many functions"
+    )]
+    Patches {
+        /// How many bodies there are.
+        bodies: usize,
+        /// How many patches they have.
+        patches: usize,
+        /// How many bodies there were.
+        expected: usize,
+        /// How many patches they had.
+        made_for: usize,
+    },
     /// More analytic lights than the pass has room for.
     #[error("{count} analytic lights do not fit the {capacity} that the pass was made for")]
     Emitters {

@@ -99,6 +99,7 @@
 //! ```
 
 mod bands;
+mod bases;
 mod bodies;
 mod bound;
 mod buffers;

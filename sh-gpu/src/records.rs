@@ -70,6 +70,42 @@ pub struct Band {
     pub tail: u32,
 }
 
+/// `struct Basis`: a rigid body whose light is told in few functions, and where it is.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Basis {
+    /// World from its own space.
+    pub world_from_object: Mat4,
+    /// Its own space from the world.
+    pub object_from_world: Mat4,
+    /// Centre of the ball around it, in metres, world space.
+    pub center: Vec3,
+    /// Radius of that.
+    pub radius: f32,
+    /// Metres of the world a metre of its own; 0 where it is nowhere to be seen.
+    pub scale: f32,
+    /// The body, as receivers carry it.
+    pub object: u32,
+    /// Its first patch.
+    pub first: u32,
+    /// How many it has.
+    pub patches: u32,
+    /// How many functions.
+    pub functions: u32,
+    /// Where their weights begin.
+    pub weights: u32,
+    /// Where what tells weights begins.
+    pub duals: u32,
+    /// Where what patches send on of functions begins.
+    pub sends: u32,
+    /// Where what they send on begins: two elements a patch, then coefficients of regions, then the brightest.
+    pub light: u32,
+    /// 1 where it sends itself light.
+    pub own: u32,
+    /// Fills up to a multiple of 16 bytes.
+    pub unused: [u32; 2],
+}
+
 /// `struct UpsampleRule`: where light at half resolution will do for a sample.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]

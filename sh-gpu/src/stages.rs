@@ -1,5 +1,6 @@
 //! The passes of a plan on the GPU: how each is made, bound to the buffers of a frame, and recorded.
 
+use crate::bases::Bases;
 use crate::buffers::Buffers;
 use crate::plain::Plain;
 use crate::surfaces::Surfaces;
@@ -8,8 +9,8 @@ use crate::{
     Pipelines, ResolvePass, RestBinding, ShadowOptions, ShadowPass, UpsampleBound, UpsamplePass,
 };
 use sh_scene::passes::{
-    GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, POINTS, RESOLVE, SCATTER, SHADOW, SHARES,
-    UPSAMPLE,
+    BASIS_GATHER, BASIS_UPDATE, GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, POINTS, RESOLVE,
+    SCATTER, SHADOW, SHARES, UPSAMPLE,
 };
 use sh_scene::resource::{ALBEDO, EMISSION, PICTURE, RADIANCE, RECEIVERS, SENT, SHARE, UPSAMPLED};
 use sh_scene::{Domain, Pass, Plan, Planned, Resource, Scene};
@@ -39,6 +40,17 @@ pub(crate) enum Work {
         surfaces: Arc<Surfaces>,
         bound: Bound,
     },
+    /// Points of patches.
+    PatchPoints {
+        bases: Arc<Bases>,
+        bound: Bound,
+        /// What is cleared: light that bodies have sent.
+        sent: Buffer,
+    },
+    BasisUpdate {
+        bases: Arc<Bases>,
+        bound: Bound,
+    },
     Gbuffer {
         pass: GbufferPass,
         bound: Vec<Bound>,
@@ -54,6 +66,14 @@ pub(crate) enum Work {
     LightGather {
         pass: Arc<LightGatherPass>,
         bound: Vec<Bound>,
+        /// What has to be cleared before the first band, or in every turn.
+        cleared: Option<Buffer>,
+    },
+    BasisGather {
+        bases: Arc<Bases>,
+        bound: Vec<Bound>,
+        /// Whether what bodies give themselves is among it.
+        own: bool,
         /// What has to be cleared before the first band, or in every turn.
         cleared: Option<Buffer>,
     },
@@ -128,6 +148,22 @@ impl Stage {
             Work::LightUpdate { surfaces, bound } => {
                 surfaces.record_update(encoder, bound, writes);
             }
+            Work::PatchPoints { bases, bound, sent } => {
+                encoder.clear_buffer(sent, 0, None);
+                bases.record_points(encoder, bound, writes);
+            }
+            Work::BasisUpdate { bases, bound } => bases.record_update(encoder, bound, writes),
+            Work::BasisGather {
+                bases,
+                bound,
+                own,
+                cleared,
+            } => {
+                if let (0, Some(cleared)) = (band, cleared) {
+                    encoder.clear_buffer(cleared, 0, None);
+                }
+                bases.record_gather(encoder, &bound[at], *own, writes);
+            }
             Work::Gbuffer { pass, bound } => {
                 pass.record(encoder, bands, band, bodies, &bound[at], stamps);
             }
@@ -162,11 +198,14 @@ impl Stage {
         let all = |bounds: &[Bound]| bounds.iter().map(Bound::dispatches).sum::<usize>();
         let once = match &self.work {
             Work::Points { bound, .. } => bound.dispatches(),
+            Work::PatchPoints { bound, .. } => bound.dispatches(),
             Work::LightUpdate { surfaces, bound } => surfaces.update_dispatches(bound),
+            Work::BasisUpdate { bases, bound } => bases.update_dispatches(bound),
             Work::Gbuffer { bound, .. } => all(bound) + bound.len() * drawn,
             Work::Irradiance { bound, .. }
             | Work::Shadow { bound, .. }
             | Work::LightGather { bound, .. }
+            | Work::BasisGather { bound, .. }
             | Work::Shares { bound, .. }
             | Work::Resolve { bound, .. }
             | Work::Plain(Plain { bound, .. }) => all(bound),
@@ -191,6 +230,7 @@ impl Stage {
     pub fn bytes(&self) -> Option<u64> {
         Some(match &self.work {
             Work::Points { surfaces, .. } => surfaces.bytes(),
+            Work::PatchPoints { bases, .. } => bases.bytes(),
             Work::Gbuffer { pass, .. } => pass.bytes(),
             Work::Irradiance { pass, .. } => pass.bytes(),
             Work::Resolve { pass, .. } => pass.bytes(),
@@ -212,19 +252,22 @@ pub(crate) struct Setup<'a> {
     pub gather: Option<&'a Arc<LightGatherPass>>,
     pub upsample: Option<&'a Arc<UpsamplePass>>,
     pub surfaces: Option<&'a Arc<Surfaces>>,
+    pub bases: Option<&'a Arc<Bases>>,
 }
 
 /// How a pass of the table is made.
 type Make = fn(&Setup, Domain) -> Result<Work, Error>;
 
 /// Those that are more than a kernel over buffers of the frame; all others are [`Plain`].
-static MAKERS: [(&Pass, Make); 10] = [
+static MAKERS: [(&Pass, Make); 12] = [
     (&POINTS, points),
     (&LIGHT_UPDATE, light_update),
+    (&BASIS_UPDATE, basis_update),
     (&GBUFFER, gbuffer),
     (&IRRADIANCE, irradiance),
     (&SHADOW, shadow),
     (&LIGHT_GATHER, light_gather),
+    (&BASIS_GATHER, basis_gather),
     (&SHARES, shares),
     (&UPSAMPLE, |setup, _| {
         let (pass, bound) = setup.upsampled()?;
@@ -344,16 +387,31 @@ impl Setup<'_> {
         shared(self.surfaces, "points")
     }
 
-    /// Points of surfaces, in clusters, and something of each.
+    fn bases(&self) -> Result<Arc<Bases>, Error> {
+        shared(self.bases, "basis_update")
+    }
+
+    /// Points of surfaces or patches, in clusters, and something of each.
     fn points(
         &self,
+        at: Domain,
         written: Resource,
         bind: impl Fn(&Device, RestBinding<'_>) -> Result<Bound, Error>,
     ) -> Result<Vec<Bound>, Error> {
-        let (surfaces, at) = (self.surfaces()?, Domain::Points);
+        let (surfaces, bases);
+        let clusters = match at {
+            Domain::Patches => {
+                bases = self.bases()?;
+                bases.clusters()
+            }
+            _ => {
+                surfaces = self.surfaces()?;
+                surfaces.clusters()
+            }
+        };
         let points = RestBinding {
             receivers: self.part(RECEIVERS, at, 0)?,
-            clusters: surfaces.clusters(),
+            clusters,
             radiance: self.part(written, at, 0)?,
         };
         Ok(vec![bind(self.device, points)?])
@@ -385,14 +443,57 @@ fn light_update(setup: &Setup, _: Domain) -> Result<Work, Error> {
 }
 
 fn points(setup: &Setup, at: Domain) -> Result<Work, Error> {
-    let surfaces = setup.surfaces()?;
     let sent = setup.buffers.get(SENT, at).cloned();
+    let sent = sent.ok_or(Error::NoResource {
+        resource: SENT.name,
+    })?;
+    let receivers = setup.part(RECEIVERS, at, 0)?;
+    if at == Domain::Patches {
+        let bases = setup.bases()?;
+        let bound = bases.bind_points(setup.device, receivers)?;
+        return Ok(Work::PatchPoints { bases, bound, sent });
+    }
+    let surfaces = setup.surfaces()?;
+    let bound = surfaces.bind_points(setup.device, receivers)?;
     Ok(Work::Points {
-        bound: surfaces.bind_points(setup.device, setup.part(RECEIVERS, at, 0)?)?,
-        sent: sent.ok_or(Error::NoResource {
-            resource: SENT.name,
-        })?,
         surfaces,
+        bound,
+        sent,
+    })
+}
+
+fn basis_update(setup: &Setup, at: Domain) -> Result<Work, Error> {
+    let bases = setup.bases()?;
+    let light = |what| setup.part(what, at, 0);
+    let bound = bases.bind_update(setup.device, [light(RADIANCE)?, light(SENT)?])?;
+    Ok(Work::BasisUpdate { bases, bound })
+}
+
+fn basis_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
+    let bases = setup.bases()?;
+    // What spheres have sent comes first.
+    let sent = setup.buffers.get(SENT, at).cloned();
+    let cleared = sent.filter(|_| setup.gather.is_none());
+    // What bodies give themselves is in their weights already.
+    let own = at != Domain::Patches;
+    let clustered = |device: &Device, rest: RestBinding<'_>| {
+        let clusters = Some(rest.clusters);
+        bases.bind(device, rest.receivers, clusters, rest.radiance, own)
+    };
+    let tiled = |device: &Device, [receivers, written]: [BufferBinding<'_>; 2]| {
+        bases.bind(device, receivers, None, written, own)
+    };
+    let bound = match at {
+        Domain::Points | Domain::Patches => setup.points(at, SENT, clustered)?,
+        Domain::Halves => setup.each(at, SENT, tiled)?,
+        Domain::Rest => setup.rest(clustered)?,
+        _ => setup.each(at, RADIANCE, tiled)?,
+    };
+    Ok(Work::BasisGather {
+        bases,
+        bound,
+        own,
+        cleared,
     })
 }
 
@@ -430,7 +531,7 @@ fn shadow(setup: &Setup, at: Domain) -> Result<Work, Error> {
         pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
     };
     let bound = match at {
-        Domain::Points => setup.points(RADIANCE, clustered)?,
+        Domain::Points | Domain::Patches => setup.points(at, RADIANCE, clustered)?,
         Domain::Rest => setup.rest(clustered)?,
         _ => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
             pass.bind(device, receivers, radiance)
@@ -445,9 +546,9 @@ fn light_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
         pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
     };
     let bound = match at {
-        Domain::Points => {
+        Domain::Points | Domain::Patches => {
             cleared = setup.buffers.get(SENT, at).cloned();
-            setup.points(SENT, clustered)?
+            setup.points(at, SENT, clustered)?
         }
         // What is sent is interpolated apart from the light that blockers leave a share of.
         Domain::Halves => {

@@ -1,7 +1,6 @@
 //! What is said about light that comes by way of other bodies.
 
-/// How bodies light each other: their spheres send on, diffusely, what light falls on the surface around them, and
-/// block it for each other (Guerrero et al. 2008).
+/// How bodies light each other: they send on, diffusely, what light falls on their surface, and block it for each other.
 ///
 /// ```
 /// use sh_scene::{Indirect, Settings};
@@ -10,10 +9,40 @@
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Indirect {
+    /// By what they send it.
+    pub method: Method,
     /// How often light is sent on before it reaches the receiver, from 1 on.
     pub bounces: u32,
-    /// How bodies block each other's light.
+    /// How bodies block the light of spheres.
     pub blocking: Blocking,
+}
+
+/// By what bodies send light on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// Their spheres (Guerrero et al. 2008): of any body, of one that bends as well.
+    #[default]
+    SphericalLights,
+    /// Patches of their surface, whose irradiance is told in few functions ([`crate::basis`], Iwasaki et al. 2007): of bodies
+    /// that are rigid. Those that bend send by their spheres.
+    BasisIrradiance,
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::SphericalLights, Self::BasisIrradiance];
+
+    /// The name that files and messages use.
+    ///
+    /// ```
+    /// assert_eq!(sh_scene::Method::default().name(), "spherical-lights");
+    /// ```
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::SphericalLights => "spherical-lights",
+            Self::BasisIrradiance => "basis-irradiance",
+        }
+    }
 }
 
 impl Indirect {
@@ -22,9 +51,10 @@ impl Indirect {
 }
 
 impl Default for Indirect {
-    /// One bounce, with what is nearest the truth.
+    /// One bounce by spheres, with what is nearest the truth.
     fn default() -> Self {
         Self {
+            method: Method::default(),
             bounces: 1,
             blocking: Blocking::Discs,
         }

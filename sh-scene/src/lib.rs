@@ -13,6 +13,8 @@
 //! # Ok::<(), sh_scene::LightError>(())
 //! ```
 
+pub mod basis;
+mod basis_body;
 mod blockers;
 mod body;
 mod camera;
@@ -36,6 +38,8 @@ mod texture;
 mod tracker;
 pub mod upsample;
 
+pub use basis::{BasisSample, IrradianceBasis};
+pub use basis_body::BasisBody;
 pub use blockers::{Blocker, Bounds, Forest, Limits, NEGLIGIBLE, Node, Side};
 pub use body::Body;
 pub use camera::{Camera, Grid, Tiles, View};
@@ -43,7 +47,7 @@ pub use clusters::Clusters;
 pub use distribution::Distribution;
 pub use emitter::{AreaLight, AreaShape, Emitter};
 pub use environment::EnvironmentMap;
-pub use indirect::{Blocking, Indirect};
+pub use indirect::{Blocking, Indirect, Method};
 pub use light::{Light, LightError};
 pub use plan::{
     Buffer, Domain, LeftOut, PASSES, Part, Pass, Plan, PlanError, Planned, Resource, Shader, Step,

@@ -1,10 +1,11 @@
 //! A scene, loaded and resolved: nothing in it refers to a file or needs a default any more.
 
 use crate::{
-    AreaLight, Camera, EnvironmentMap, Forest, Indirect, Light, LightError, Limits, Quality,
-    Sphere, SurfaceSamples, Texture,
+    AreaLight, Camera, EnvironmentMap, Forest, Indirect, IrradianceBasis, Light, LightError,
+    Limits, Quality, Sphere, SurfaceSamples, Texture,
 };
 use glam::{Affine3A, Vec3};
+use std::sync::Arc;
 
 /// A triangle mesh in its object's own space.
 #[derive(Clone, Debug, Default)]
@@ -52,6 +53,8 @@ pub struct Object {
     pub part_of: Option<usize>,
     /// What makes the spheres lights: points of the surface, as many groups as spheres, or empty where they are none.
     pub surface: SurfaceSamples,
+    /// What tells its light in few functions, of a rigid body whose patches send it on: of all parts of a body, at the first.
+    pub basis: Option<Arc<IrradianceBasis>>,
 }
 
 impl Object {

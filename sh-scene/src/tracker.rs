@@ -11,10 +11,12 @@
 //! speed of memory.
 
 use crate::{
-    AreaLight, Emitter, EnvironmentMap, Forest, Ground, Light, LightError, Object, Scene, Sphere,
+    AreaLight, Emitter, EnvironmentMap, Forest, Ground, IrradianceBasis, Light, LightError, Object,
+    Scene, Sphere,
 };
 use glam::Affine3A;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// The tree of blockers and the light of a scene, and what has changed of them from frame to frame.
 ///
@@ -44,6 +46,8 @@ pub struct Tracker {
     light: Option<Light>,
     /// Fingerprints of the objects' surface points.
     surfaces: Vec<u64>,
+    /// The objects' bases.
+    bases: Vec<Option<Arc<IrradianceBasis>>>,
     changes: Changes,
     /// Room for the indices of objects that moved.
     moved: Vec<usize>,
@@ -143,6 +147,13 @@ impl Tracker {
             changed |= *known != own;
             *known = own;
         }
+        // Bases are shared and never change, so that it is enough to know which they are.
+        let bases = scene.objects.iter().map(|object| object.basis.as_ref());
+        let known = self.bases.iter().map(Option::as_ref);
+        let alike =
+            |(a, b): (Option<&Arc<_>>, Option<&Arc<_>>)| a.map(Arc::as_ptr) == b.map(Arc::as_ptr);
+        changed |= !known.zip(bases.clone()).all(alike);
+        self.bases = bases.map(Option::<&Arc<_>>::cloned).collect();
         changed
     }
 
@@ -314,6 +325,7 @@ mod tests {
                 .collect(),
             weights: Vec::new(),
             part_of: None,
+            basis: None,
             surface: Default::default(),
         };
         let lamp = |radiance| AreaLight::local(Vec3::Y, 0.1, radiance);

@@ -95,6 +95,7 @@ fn object(mesh: Mesh) -> Object {
         ],
         weights: Vec::new(),
         part_of: None,
+        basis: None,
         surface: Default::default(),
     }
 }

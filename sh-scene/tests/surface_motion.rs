@@ -135,6 +135,7 @@ fn scene(turn: Quat, hard: bool) -> (Scene, Motion) {
         spheres,
         weights: Vec::new(),
         part_of: None,
+        basis: None,
         surface,
     };
     motion.add_surfaces(std::slice::from_ref(&object));

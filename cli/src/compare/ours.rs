@@ -4,6 +4,7 @@ use super::measure::Parts;
 use super::view::Seen;
 use crate::Error;
 use sh_cpu::Frames;
+use sh_scene::passes::LIGHT_UPDATE;
 use sh_scene::{Plan, Scene};
 
 /// Direct and indirect light, and what the spheres send on.
@@ -11,7 +12,7 @@ pub struct Ours {
     /// Radiance of each receiver.
     pub parts: Parts,
     /// The SH vectors of each sphere's emission in three channels, in the order of the scene's spheres; empty where
-    /// nothing is sent on.
+    /// none sends on.
     pub emission: Vec<Vec<[f32; 3]>>,
 }
 
@@ -26,7 +27,7 @@ pub fn ours(scene: &Scene, seen: &Seen) -> Result<Ours, Error> {
     let lit = frames.light(scene, &plan, seen.receivers(), &clusters)?;
     let mut indirect = lit.sent;
     let mut emission = Vec::new();
-    if !indirect.is_empty() {
+    if plan.has(&LIGHT_UPDATE) {
         let (forest, lights) = frames.spheres();
         emission = vec![Vec::new(); forest.spheres()];
         for (index, node) in (0..).zip(forest.nodes()) {

@@ -7,9 +7,10 @@
 use crate::ops;
 use glam::Vec3;
 use sh_cpu::{Path, lane_count, multiply_adds_per_second};
+use sh_scene::basis::PATCH_SAMPLES;
 use sh_scene::plan::Units;
 use sh_scene::surface::DIRECTIONS;
-use sh_scene::{Domain, Forest, Grid, Object, Plan, Planned, Scene, View};
+use sh_scene::{BasisBody, Domain, Forest, Grid, Object, Plan, Planned, Scene, View};
 
 /// Places at which cuts are counted.
 const PLACES: usize = 64;
@@ -22,6 +23,10 @@ const ANEW: f64 = 0.1;
 
 /// Multiply-adds of what one sphere sends to a receiver, for each that may hide a part of it.
 const HIDER: f64 = 60.0;
+
+/// Patches and regions of a body that a receiver looks at, and multiply-adds of each.
+const SEEN: f64 = 64.0;
+const PATCH: f64 = 40.0;
 
 /// Milliseconds of each pass of a plan on the current pool of threads.
 pub(super) fn of(plan: &Plan, scene: &Scene, view: &View) -> Vec<f64> {
@@ -61,10 +66,15 @@ fn units(plan: &Plan, scene: &Scene) -> Units {
     };
     let blocker = of("accumulate_blocker", accumulation) + 30.0;
     let exponential = of("transfer", accumulation) + of("accumulated_log", accumulation);
+    let bodies = BasisBody::all(&scene.objects).count() as f64;
+    let functions = BasisBody::all(&scene.objects).map(|body| body.basis.count());
+    let functions = functions.max().unwrap_or(0) as f64;
     Units {
         open: light,
         shadow: light + exponential + blockers * blocker,
         gather: blockers * (of("ball_average", order) + 3.0 * coefficients + 8.0 * HIDER),
+        patches: bodies * (SEEN * PATCH + blockers * HIDER),
+        weigh: functions * 2.0 * 3.0 * (1.0 + PATCH_SAMPLES as f64),
         send: 3.0 * (DIRECTIONS as f64 * coefficients + of("rotate", order)),
     }
 }
@@ -79,6 +89,9 @@ fn seconds(planned: &Planned, units: &Units, scene: &Scene, view: &View, rate: f
     let elements = match planned.at {
         Domain::Scene => 1.0,
         Domain::Points => of_objects(&|o| o.surface.points.len()),
+        Domain::Patches => BasisBody::all(&scene.objects)
+            .map(|body| body.basis.patches() as f64)
+            .sum(),
         Domain::Spheres => of_objects(&|o| o.spheres.len()),
         Domain::Halves => cells(view.halves()),
         Domain::Receivers | Domain::Samples | Domain::Pixels => cells(view.samples()),

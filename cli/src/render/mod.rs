@@ -15,7 +15,7 @@ use crate::Error;
 use crate::gpu::Gpu;
 use crate::image::{Output, Picture, exposure};
 use crate::progress::Progress;
-use crate::report::{Body, Report, Sequence, Surface, Times, planned};
+use crate::report::{Basis, Body, Report, Sequence, Surface, Times, planned};
 use frames::Files;
 use gpu::Painted;
 use sh_bake::{Cache, Choices, ClipChoice, Loaded};
@@ -115,6 +115,9 @@ pub fn render(options: &Options) -> Result<Report, Error> {
     times.add("weights", loaded.weight_time.as_secs_f64());
     if !loaded.surfaces.is_empty() {
         times.add("surfaces", loaded.surface_time.as_secs_f64());
+    }
+    if !loaded.bases.is_empty() {
+        times.add("functions", loaded.basis_time.as_secs_f64());
     }
     let choice = times.measure("device", || match options.reference {
         Some(_) => Ok(Choice {
@@ -217,6 +220,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
         exposure,
         objects: loaded.fits.iter().map(Body::new).collect(),
         surfaces: loaded.surfaces.iter().map(Surface::new).collect(),
+        bases: loaded.bases.iter().map(Basis::new).collect(),
         moves: loaded.moves,
         warnings: [loaded.warnings, invalid_samples(options, &invalid)].concat(),
         plan: match &options.reference {

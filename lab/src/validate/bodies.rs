@@ -31,6 +31,7 @@ pub(super) fn body(
         spheres,
         weights,
         part_of: None,
+        basis: None,
         surface,
     };
     stood(object, place)

@@ -160,6 +160,7 @@ fn world_triangles_are_transformed() {
         spheres: Vec::new(),
         weights: Vec::new(),
         part_of: None,
+        basis: None,
         surface: Default::default(),
     };
     let expected = [[10.0, 20.0, 32.0], [10.0, 22.0, 30.0], [8.0, 20.0, 30.0]];

@@ -53,6 +53,7 @@ fn object(mesh: Mesh, albedo: [f32; 3], place: Vec3) -> Object {
         spheres: Vec::new(),
         weights: Vec::new(),
         part_of: None,
+        basis: None,
         surface: SurfaceSamples::default(),
     }
 }

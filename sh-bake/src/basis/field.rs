@@ -9,14 +9,13 @@
 //! fitted to rays at places from 1.15 to 8 R, evenly in R/r; farther away its first terms are what there is. Nearer, where
 //! the ball around the body cuts the body, a series like this does not hold.
 
-use super::functions::IrradianceBasis;
 use super::harmonics::harmonics;
-use super::samples::{apart, even, nearest};
+use super::samples::{Lookup, even};
 use crate::rays::Rays;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use sh_core::Routines;
-use sh_scene::{Material, Mesh};
+use sh_scene::{IrradianceBasis, Material, Mesh};
 use std::f64::consts::TAU;
 
 /// SH order of what is seen.
@@ -38,11 +37,11 @@ const RANGE: [f64; 2] = [1.15, 8.0];
 /// What is seen of a body from outside of it, as SH vectors of order 4 of radiance, for each function of its basis.
 ///
 /// ```
-/// use sh_bake::{IrradianceBasis, IrradianceField, shapes};
+/// use sh_bake::{IrradianceField, irradiance_basis, shapes};
 /// use sh_scene::Material;
 /// let (ball, gray) = (shapes::ball(1.0, 3), Material { albedo: [0.5; 3], texture: None });
 /// let parts = [(&ball, &gray)];
-/// let basis = IrradianceBasis::bake(&parts, 4, &|_| {}).unwrap();
+/// let basis = irradiance_basis(&parts, 4, &|_| {}).unwrap();
 /// let field = IrradianceField::bake(&parts, &basis, &|_| {}).unwrap();
 /// // In even light of radiance 1, from far above: half of what a disc of that size would give.
 /// let seen = field.lit(&[[1.0; 3]]).seen([0.0, 5.0, 0.0]);
@@ -70,7 +69,7 @@ impl IrradianceField {
     /// Nearer to the middle than so many radii of the body, the field is not what is seen.
     pub const NEAREST: f32 = RANGE[0] as f32;
 
-    /// Finds the field of a body, given as [`IrradianceBasis::bake`] was; none for one without a triangle of any extent.
+    /// Finds the field of a body, given as [`irradiance_basis`](crate::irradiance_basis) was; none for one without a triangle of any extent.
     /// Takes some seconds on two cores. Telling `progress` the part that is done, 0 to 1, from several threads.
     pub fn bake(
         parts: &[(&Mesh, &Material)],
@@ -79,9 +78,9 @@ impl IrradianceField {
     ) -> Option<Self> {
         let rays = Rays::of(parts)?;
         let done = std::sync::atomic::AtomicUsize::new(0);
-        let apart = apart(&rays, basis.samples().len());
+        let lookup = Lookup::new(basis.samples(), &rays);
         let look = |place: DVec3| {
-            let seen = look(place, &rays, basis, apart);
+            let seen = look(place, &rays, basis, &lookup);
             let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
             progress(0.9 * done as f32 / PLACES as f32);
             seen
@@ -181,7 +180,7 @@ fn place(k: usize, rays: &Rays) -> DVec3 {
 }
 
 /// What is seen from a place: for each function and channel an SH vector.
-fn look(from: DVec3, rays: &Rays, basis: &IrradianceBasis, apart: f32) -> Vec<[f64; SEEN]> {
+fn look(from: DVec3, rays: &Rays, basis: &IrradianceBasis, lookup: &Lookup) -> Vec<[f64; SEEN]> {
     let samples = basis.samples();
     let mut seen = vec![[0.0; SEEN]; basis.count() * 3];
     let to = rays.center - from;
@@ -194,7 +193,7 @@ fn look(from: DVec3, rays: &Rays, basis: &IrradianceBasis, apart: f32) -> Vec<[f
         let around = even(k, RAYS, lowest);
         let direction = axis * around.y + side * around.x + other * around.z;
         let met = rays.first(from, direction);
-        let Some(at) = met.and_then(|place| nearest(samples, place, direction, apart)) else {
+        let Some(at) = met.and_then(|place| lookup.nearest(place, direction)) else {
             continue;
         };
         let y = <[f64; SEEN]>::basis(direction.to_array()).map(|y| y * share);
@@ -305,8 +304,8 @@ pub(super) fn by_rays(
     place: [f32; 3],
 ) -> [[f64; SEEN]; 3] {
     let rays = Rays::of(parts).expect("it has triangles");
-    let apart = apart(&rays, basis.samples().len());
-    let all = look(Vec3::from(place).as_dvec3(), &rays, basis, apart);
+    let lookup = Lookup::new(basis.samples(), &rays);
+    let all = look(Vec3::from(place).as_dvec3(), &rays, basis, &lookup);
     let mut sum = [[0.0; SEEN]; 3];
     for (fields, weight) in all.chunks_exact(3).zip(weights) {
         for ((sum, field), weight) in sum.iter_mut().zip(fields).zip(weight) {

@@ -7,6 +7,7 @@
 //! of all lights: even light is then told exactly. And functions are at right angles to each other where each point counts
 //! by its area, so that a weight is one mean over the surface, and there is no matrix to invert (equation 14).
 
+mod escape;
 mod field;
 mod functions;
 mod harmonics;
@@ -17,5 +18,7 @@ mod tests;
 mod training;
 
 pub use field::{IrradianceField, LitField};
-pub use functions::IrradianceBasis;
-pub use samples::BasisSample;
+pub use functions::irradiance_basis;
+
+/// Changes whenever the same body may get other functions or patches.
+pub(crate) const BASIS_VERSION: u32 = 1;

@@ -1,9 +1,10 @@
 use super::field::by_rays;
-use super::{IrradianceBasis, IrradianceField};
+use super::{IrradianceField, irradiance_basis};
 use crate::shapes;
 use glam::{Vec3, vec3};
 use sh_core::Routines;
-use sh_scene::{Material, Mesh, Texture};
+use sh_scene::basis::REGION_PATCHES;
+use sh_scene::{IrradianceBasis, Material, Mesh, Texture};
 use std::f32::consts::TAU;
 
 const WHITE: Material = Material {
@@ -12,7 +13,7 @@ const WHITE: Material = Material {
 };
 
 fn bake(mesh: &Mesh, count: usize) -> IrradianceBasis {
-    IrradianceBasis::bake(&[(mesh, &WHITE)], count, &|_| {}).expect("it has triangles")
+    irradiance_basis(&[(mesh, &WHITE)], count, &|_| {}).expect("it has triangles")
 }
 
 /// A box of which only the inside is there.
@@ -88,7 +89,8 @@ fn light_from_afar_on_a_ball_is_nine_functions() {
         .iter()
         .map(|sample| [<[f32; 16]>::cosine(sample.normal).dot(&light); 3])
         .collect();
-    let weights = basis.weights(&irradiance);
+    let at_points: Vec<_> = irradiance.iter().step_by(4).copied().collect();
+    let weights = basis.weights(&at_points);
     let error = |count: usize| {
         let (mut off, mut all) = (0.0, 0.0);
         for (sample, light) in irradiance.iter().enumerate() {
@@ -114,21 +116,29 @@ fn a_closed_room_gives_itself_all_that_it_has() {
     let mut weights = vec![[0.0; 3]; basis.count()];
     weights[0] = [1.0; 3];
     for _ in 0..8 {
-        weights = basis.bounced(&weights);
+        weights = basis.weights(&basis.bounced(&weights));
     }
-    for sample in 0..basis.samples().len() {
-        let [r, ..] = basis.irradiance(&weights, sample);
-        assert!((r - 1.0).abs() < 0.01, "{sample}: {r}");
+    let told = (0..basis.samples().len()).map(|sample| basis.irradiance(&weights, sample)[0]);
+    let mean = told.clone().sum::<f32>() / basis.samples().len() as f32;
+    assert!((mean - 1.0).abs() < 0.012, "{mean}");
+    // In rounded corners normals are not those of the triangles, and some rays go into the surface that they come from.
+    for (sample, r) in told.enumerate() {
+        assert!((r - 1.0).abs() < 0.1, "{sample}: {r}");
     }
     let gray = Material {
         albedo: [0.5, 0.25, 0.0],
         texture: None,
     };
-    let basis = IrradianceBasis::bake(&[(&room(), &gray)], 16, &|_| {}).unwrap();
+    let basis = irradiance_basis(&[(&room(), &gray)], 16, &|_| {}).unwrap();
     weights = vec![[0.0; 3]; basis.count()];
     weights[0] = [1.0; 3];
-    let [r, g, b] = basis.bounced(&weights)[0];
-    assert!((r - 0.5).abs() < 1e-3 && (g - 0.25).abs() < 1e-3 && b == 0.0);
+    for [r, g, b] in basis.bounced(&weights) {
+        assert!((r - 0.5).abs() < 1e-3 && (g - 0.25).abs() < 1e-3 && b == 0.0);
+    }
+    // Of even light a patch sends on what its albedo leaves.
+    for [r, g, b] in basis.sent(&weights) {
+        assert!((r - 0.5).abs() < 1e-5 && (g - 0.25).abs() < 1e-5 && b == 0.0);
+    }
 }
 
 /// A plane, a single triangle, parts without extent and nothing at all.
@@ -156,7 +166,7 @@ fn little_is_enough_and_nothing_is_none() {
         ..triangle.clone()
     };
     for nothing in [Mesh::default(), flat, broken] {
-        assert!(IrradianceBasis::bake(&[(&nothing, &WHITE)], 16, &|_| {}).is_none());
+        assert!(irradiance_basis(&[(&nothing, &WHITE)], 16, &|_| {}).is_none());
     }
 }
 
@@ -174,7 +184,7 @@ fn threads_change_nothing() {
 /// The error of a field at places of some distances, over the field: roots of mean squares.
 fn field_error(mesh: &Mesh, weights: &[[f32; 3]]) -> Vec<(f32, f64)> {
     let parts = [(mesh, &WHITE)];
-    let basis = IrradianceBasis::bake(&parts, weights.len(), &|_| {}).unwrap();
+    let basis = irradiance_basis(&parts, weights.len(), &|_| {}).unwrap();
     let field = IrradianceField::bake(&parts, &basis, &|_| {}).unwrap();
     let lit = field.lit(weights);
     let (center, radius) = (field.center, field.radius);
@@ -182,10 +192,7 @@ fn field_error(mesh: &Mesh, weights: &[[f32; 3]]) -> Vec<(f32, f64)> {
     for far in [1.2, 1.4, 2.0, 4.0, 7.5] {
         let (mut off, mut all) = (0.0, 0.0);
         for k in 0..40 {
-            let (a, b) = (2.399_963 * k as f32, 1.0 - 2.0 * (k as f32 + 0.37) / 40.0);
-            let wide = (1.0 - b * b).sqrt();
-            let out = vec3(wide * a.sin(), b, wide * a.cos());
-            let place = (center + out * far * radius).to_array();
+            let place = (center + around(k, 40) * far * radius).to_array();
             let truth = by_rays(&parts, &basis, weights, place);
             for (seen, truth) in lit.seen(place).iter().flatten().zip(truth.iter().flatten()) {
                 off += (f64::from(*seen) - truth).powi(2);
@@ -198,12 +205,115 @@ fn field_error(mesh: &Mesh, weights: &[[f32; 3]]) -> Vec<(f32, f64)> {
     errors
 }
 
+/// The same of patches and of regions.
+fn parts_error(mesh: &Mesh, weights: &[[f32; 3]]) -> Vec<(f32, [f64; 2])> {
+    let parts = [(mesh, &WHITE)];
+    let basis = irradiance_basis(&parts, weights.len(), &|_| {}).unwrap();
+    let (shape, sent) = (basis.shape(), basis.sent(weights));
+    let by_patches = |place: Vec3| {
+        let mut seen = [[0.0; 16]; 3];
+        for (patch, sent) in basis.parts().patches.iter().zip(&sent) {
+            let to = Vec3::from(patch.whole.center) - place;
+            let u = to.normalize();
+            let shown =
+                (-u.dot(patch.whole.normal.into())).max(0.0) * patch.escape().seen((-u).to_array());
+            add(
+                &mut seen,
+                u,
+                sent.map(|l| l * patch.whole.area * shown / to.length_squared()),
+            );
+        }
+        seen
+    };
+    let by_regions = |place: Vec3| {
+        let mut seen = [[0.0; 16]; 3];
+        for (r, region) in shape.regions.iter().enumerate() {
+            let to = Vec3::from(region.center) - place;
+            let y = <[f32; 36]>::basis((-to.normalize()).to_array());
+            let mut intensity = [0.0; 3];
+            for m in r * REGION_PATCHES..(r + 1) * REGION_PATCHES {
+                let value: f32 = basis.lobes()[m].iter().zip(y).map(|(a, b)| a * b).sum();
+                for (sum, sent) in intensity.iter_mut().zip(sent[m]) {
+                    *sum += value * sent;
+                }
+            }
+            add(
+                &mut seen,
+                to.normalize(),
+                intensity.map(|i| i / to.length_squared()),
+            );
+        }
+        seen
+    };
+    let mut errors = Vec::new();
+    for far in [1.2, 1.4, 2.0, 4.0, 7.5] {
+        let (mut off, mut all) = ([0.0; 2], 0.0);
+        for k in 0..40 {
+            let place = shape.center + around(k, 40) * far * shape.radius;
+            let truth = by_rays(&parts, &basis, weights, place.to_array());
+            let truth = truth.iter().flatten();
+            all += truth.clone().map(|x| x * x).sum::<f64>();
+            for (off, seen) in off.iter_mut().zip([by_patches(place), by_regions(place)]) {
+                let pairs = seen.iter().flatten().zip(truth.clone());
+                *off += pairs.map(|(a, b)| (f64::from(*a) - b).powi(2)).sum::<f64>();
+            }
+        }
+        errors.push((far, off.map(|off| (off / all).sqrt())));
+    }
+    println!("{errors:?}, {} bytes", basis.bytes());
+    errors
+}
+
+/// Adds light from a direction.
+fn add(seen: &mut [[f32; 16]; 3], from: Vec3, light: [f32; 3]) {
+    let y = <[f32; 16]>::basis(from.to_array());
+    for (seen, light) in seen.iter_mut().zip(light) {
+        for (seen, y) in seen.iter_mut().zip(y) {
+            *seen += light * y;
+        }
+    }
+}
+
+/// The k-th of some directions that are spread evenly.
+fn around(k: usize, count: usize) -> Vec3 {
+    let (a, b) = (
+        2.399_963 * k as f32,
+        1.0 - 2.0 * (k as f32 + 0.37) / count as f32,
+    );
+    let wide = (1.0 - b * b).sqrt();
+    vec3(wide * a.sin(), b, wide * a.cos())
+}
+
+/// Patches of bodies of any shape in any light are what rays see of them, from 1.4 radii on, and regions from 4: of a body that
+/// hides itself as far as a quadratic function can tell.
+#[test]
+fn patches_and_regions_are_what_rays_see() {
+    // Nowhere below 0.
+    let weight = |i: usize| match i {
+        0 => [1.0; 3],
+        i => [0.0, 0.15 * (1.3 * i as f32).cos(), 0.2 / i as f32],
+    };
+    let weights: Vec<[f32; 3]> = (0..8).map(weight).collect();
+    for (mesh, most) in [
+        (shapes::torus_knot(2, 3, 1.0, 0.4, 0.25), [0.075, 0.035]),
+        (
+            shapes::rounded_box(vec3(1.0, 0.4, 0.8), 0.05),
+            [0.075, 0.04],
+        ),
+    ] {
+        for (far, errors) in parts_error(&mesh, &weights) {
+            assert!(far < 1.4 || errors[0] < most[0], "{far}: {errors:?}");
+            assert!(far < 4.0 || errors[1] < most[1], "{far}: {errors:?}");
+        }
+    }
+}
+
 /// Of an evenly lit ball a disc is seen, whose SH vector is known.
 #[test]
 fn an_even_ball_is_seen_as_a_disc() {
     let ball = shapes::ball(1.5, 5);
     let parts = [(&ball, &WHITE)];
-    let basis = IrradianceBasis::bake(&parts, 1, &|_| {}).unwrap();
+    let basis = irradiance_basis(&parts, 1, &|_| {}).unwrap();
     let field = IrradianceField::bake(&parts, &basis, &|_| {}).unwrap();
     let lit = field.lit(&[[2.0; 3]]);
     for far in [1.2_f32, 1.5, 2.0, 4.0, 8.0, 20.0] {

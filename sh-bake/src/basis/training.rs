@@ -1,10 +1,13 @@
 //! Irradiance that a body is taught by: what falls on it of many lights, in its own shadow.
 
-use super::samples::{BasisSample, apart, even, nearest};
+use super::escape::{Ray, hidden};
+use super::samples::{Lookup, even};
 use crate::rays::Rays;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use sh_core::Routines;
+use sh_scene::BasisSample;
+use sh_scene::basis::{Escape, MOST_COEFFICIENTS, PATCH_SAMPLES};
 use std::f64::consts::{PI, TAU};
 
 /// Order of the lights that are far away: all of them that there are in that order.
@@ -28,12 +31,14 @@ const OFF: f64 = 1e-4;
 
 /// What a sample sees of its own body.
 struct Seen {
-    /// Irradiance of each far light.
-    far: [f64; FAR],
+    /// Irradiance of each far light: of those of [`ORDER`] first, and the further ones that lobes need.
+    far: [f64; MOST_COEFFICIENTS],
     /// Of each light near by, with the square of its distance as intensity.
     near: Vec<f64>,
     /// The samples that rays meet: each ray is 1 / RAYS of all that falls on it.
     met: Vec<u32>,
+    /// Where rays go, and whether they meet the body.
+    rays: Vec<Ray>,
 }
 
 /// What lights give, and how a body lights itself.
@@ -42,14 +47,18 @@ pub(super) struct Training {
     pub columns: Vec<Vec<f64>>,
     /// For each sample those that it sees, one a ray.
     pub met: Vec<Vec<u32>>,
+    /// How much of each patch can be seen.
+    pub escape: Vec<Escape>,
+    /// What far lights give each patch, in the mean of its samples.
+    pub lobes: Vec<[f32; MOST_COEFFICIENTS]>,
 }
 
 /// Irradiance of all lights at all samples.
 pub(super) fn training(samples: &[BasisSample], rays: &Rays, tell: &(dyn Fn() + Sync)) -> Training {
     let lights = near_lights(rays);
-    let apart = apart(rays, samples.len());
+    let lookup = Lookup::new(samples, rays);
     let look = |index: usize| {
-        let seen = look((samples, apart), index, rays, &lights);
+        let seen = look((samples, &lookup), index, rays, &lights);
         tell();
         seen
     };
@@ -57,6 +66,14 @@ pub(super) fn training(samples: &[BasisSample], rays: &Rays, tell: &(dyn Fn() + 
     let far = (0..FAR).map(|i| seen.iter().map(|s| s.far[i]).collect());
     let near = (0..lights.len()).map(|i| seen.iter().map(|s| s.near[i]).collect());
     let mut columns: Vec<Vec<f64>> = far.chain(near).collect();
+    let patches = seen.chunks(PATCH_SAMPLES);
+    let patches = patches.map(|patch| hidden(patch.iter().flat_map(|seen| &seen.rays)));
+    let escape = patches.collect();
+    let lobe = |patch: &[Seen]| {
+        let mean = |i: usize| patch.iter().map(|s| s.far[i]).sum::<f64>() / patch.len() as f64;
+        std::array::from_fn(|i| mean(i) as f32)
+    };
+    let lobes = seen.chunks(PATCH_SAMPLES).map(lobe).collect();
     let met: Vec<Vec<u32>> = seen.into_iter().map(|s| s.met).collect();
     for i in 0..FAR {
         columns.push(bounced(&columns[i], samples, &met));
@@ -73,7 +90,12 @@ pub(super) fn training(samples: &[BasisSample], rays: &Rays, tell: &(dyn Fn() + 
             column.iter_mut().for_each(|x| *x *= scale);
         }
     }
-    Training { columns, met }
+    Training {
+        columns,
+        met,
+        escape,
+        lobes,
+    }
 }
 
 /// What a body gives itself of an irradiance, in the mean of the three channels.
@@ -94,7 +116,7 @@ fn near_lights(rays: &Rays) -> Vec<DVec3> {
 }
 
 fn look(
-    (samples, apart): (&[BasisSample], f32),
+    (samples, lookup): (&[BasisSample], &Lookup),
     index: usize,
     rays: &Rays,
     lights: &[DVec3],
@@ -107,9 +129,10 @@ fn look(
     let (sin, cos) = (index as f64 * TAU * 0.414_213_562_373_095).sin_cos();
     let (side, other) = (side * cos + other * sin, other * cos - side * sin);
     let mut seen = Seen {
-        far: [0.0; FAR],
+        far: [0.0; MOST_COEFFICIENTS],
         near: Vec::with_capacity(lights.len()),
         met: Vec::new(),
+        rays: Vec::with_capacity(RAYS),
     };
     for k in 0..RAYS {
         // Evenly over the disc below the hemisphere: as many as there is cosine.
@@ -118,10 +141,15 @@ fn look(
         let flat = square.sqrt();
         let up = (1.0 - square).sqrt();
         let direction = side * (cos * flat) + other * (sin * flat) + normal * up;
-        match rays.first(from, direction) {
-            Some(place) => seen.met.extend(nearest(samples, place, direction, apart)),
+        let first = rays.first(from, direction);
+        seen.rays.push(Ray {
+            direction,
+            meets: first.is_some(),
+        });
+        match first {
+            Some(place) => seen.met.extend(lookup.nearest(place, direction)),
             None => {
-                let basis = <[f64; FAR]>::basis(direction.to_array());
+                let basis = <[f64; MOST_COEFFICIENTS]>::basis(direction.to_array());
                 for (sum, y) in seen.far.iter_mut().zip(basis) {
                     *sum += y * PI / RAYS as f64;
                 }
@@ -142,7 +170,7 @@ fn look(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::basis::samples::samples;
+    use crate::basis::samples::spread;
     use sh_scene::{Material, Mesh};
 
     /// A floor under a smaller roof, both of which face up: what the roof hides of lights, near by and far away, is dark.
@@ -164,7 +192,7 @@ mod tests {
         };
         let parts = [(&mesh, &white)];
         let rays = Rays::of(&parts).unwrap();
-        let points = samples(&parts, 400);
+        let points = spread(&parts, 400).samples;
         let taught = training(&points, &rays, &|| {});
         let (mut dark, mut lit) = (0, 0);
         for (k, light) in near_lights(&rays).iter().enumerate() {

@@ -78,14 +78,7 @@ impl Bake for Surface<'_> {
         let mut key = Ingredients::<SurfaceSamples>::new();
         key.spheres(self.spheres);
         for (mesh, material) in &self.parts {
-            key.mesh(mesh);
-            key.numbers(mesh.colors.as_flattened().iter().copied());
-            key.numbers(mesh.uvs.as_flattened().iter().copied());
-            key.numbers(material.albedo);
-            if let Some(texture) = &material.texture {
-                key.whole([texture.width, texture.height]);
-                key.bytes(texture.rgba.clone());
-            }
+            key.surface(mesh, material);
         }
         key.key()
     }

@@ -1,7 +1,7 @@
 //! What is kept: what it is found by, and its bytes.
 
 use super::folder::Cache;
-use sh_scene::{Mesh, Sphere};
+use sh_scene::{Material, Mesh, Sphere};
 use sha2::{Digest, Sha256};
 use std::marker::PhantomData;
 
@@ -64,6 +64,19 @@ impl<T: Baked> Ingredients<T> {
             self.numbers(vectors.as_flattened().iter().copied());
         }
         self.whole(mesh.triangles.as_flattened().iter().copied())
+    }
+
+    /// A mesh and how it reflects: shape, colours and texture.
+    pub fn surface(&mut self, mesh: &Mesh, material: &Material) -> &mut Self {
+        self.mesh(mesh);
+        self.numbers(mesh.colors.as_flattened().iter().copied());
+        self.numbers(mesh.uvs.as_flattened().iter().copied());
+        self.numbers(material.albedo);
+        if let Some(texture) = &material.texture {
+            self.whole([texture.width, texture.height]);
+            self.bytes(texture.rgba.clone());
+        }
+        self
     }
 
     /// Spheres.

@@ -5,6 +5,9 @@ use crate::objects::ObjectEntry;
 use sh_scene::Settings;
 use std::path::PathBuf;
 
+/// Functions that tell the irradiance of a body, where nothing is said (Iwasaki et al. 2007, section 6).
+const FUNCTIONS: usize = 16;
+
 /// A scene file's content, checked but not yet resolved.
 pub(crate) struct SceneFile {
     /// Whether it is none, but a mesh file.
@@ -24,6 +27,8 @@ pub(crate) struct SceneFile {
     /// Radians.
     pub(crate) fov: Option<f32>,
     pub(crate) settings: Settings,
+    /// Functions that tell the irradiance of a body.
+    pub(crate) functions: usize,
     pub(crate) lights: Vec<LightEntry>,
 }
 
@@ -44,6 +49,7 @@ impl Default for SceneFile {
             target: None,
             fov: None,
             settings: Settings::default(),
+            functions: FUNCTIONS,
             lights: Vec::new(),
         }
     }

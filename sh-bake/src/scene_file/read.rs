@@ -6,8 +6,10 @@ use crate::error::{Error, read};
 use crate::keys::{Section, Source};
 use crate::objects::ObjectEntry;
 use crate::{indirect, lights};
+use sh_scene::IrradianceBasis;
 use std::ops::Range;
 use std::path::Path;
+
 use toml::de::{DeTable, DeValue};
 
 impl SceneFile {
@@ -75,6 +77,9 @@ impl SceneFile {
         }
         if let Some(s) = section("indirect", &indirect::KEYS)? {
             scene.settings.indirect = Some(indirect::read(&s)?);
+            if let Some(functions) = s.count("basis", 1..=IrradianceBasis::MOST)? {
+                scene.functions = functions;
+            }
         }
         if let Some(s) = section("camera", &sections::CAMERA)? {
             scene.read_camera(&s)?;

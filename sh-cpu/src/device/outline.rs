@@ -14,6 +14,9 @@ use super::light_cut::LightCut;
 use super::light_discs::{Disc, discs};
 use super::light_sums::sums;
 use super::logs::{Logs, ratio_logs};
+use super::patch_cut::PatchCut;
+use super::patch_lights::{PatchLights, Placed};
+use super::patches::{Hidden, patches};
 use crate::lanes::{Lanes1, Lanes4, Lanes8, Lanes16};
 use fearless_simd::Simd;
 use sh_core::constants::ROOM;
@@ -66,7 +69,16 @@ where
         kept: &mut [Disc<Self>; ROOM],
     ) -> [Self; 3];
 
-    /// The same with visibilities that are differences of exponentials.
+    /// Radiance in three channels that a cut's patches send on; `own`: what receivers' own body gives itself among it.
+    fn gathered_patches(
+        point: &Point<Self>,
+        cut: &PatchCut,
+        sending: (&[Placed], &PatchLights),
+        own: bool,
+        kept: &mut [Hidden<Self>; ROOM],
+    ) -> [Self; 3];
+
+    /// Radiance that a cut's spheres send on, whose visibilities are differences of exponentials.
     fn gathered_sums(point: &Point<Self>, cut: &LightCut, lights: &Emission) -> [Self; 3];
 }
 
@@ -153,6 +165,21 @@ macro_rules! routines {
                 point.object,
                 #[inline(always)]
                 || discs::<Self, $c>(point, cut, lights, kept),
+            )
+        }
+
+        #[$inline]
+        fn gathered_patches(
+            point: &Point<Self>,
+            cut: &PatchCut,
+            sending: (&[Placed], &PatchLights),
+            own: bool,
+            kept: &mut [Hidden<Self>; ROOM],
+        ) -> [Self; 3] {
+            $enter(
+                point.object,
+                #[inline(always)]
+                || patches::<Self, $c>(point, cut, sending, own, kept),
             )
         }
 

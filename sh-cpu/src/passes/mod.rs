@@ -1,5 +1,7 @@
 //! The passes, a file each, named as their declarations in `sh_scene::passes`.
 
+pub(crate) mod basis_gather;
+pub(crate) mod basis_update;
 pub(crate) mod gbuffer;
 pub(crate) mod invalid;
 pub(crate) mod irradiance;

@@ -6,11 +6,13 @@ use crate::device::check::{check_environment, check_view};
 use crate::device::cut::Cuts;
 use crate::device::geometry::{Geometry, Hierarchy};
 use crate::device::light_cuts::LightCuts;
+use crate::device::patch_cut::PatchCuts;
+use crate::device::patch_lights::PatchLights;
 use crate::device::spherical_lights::{Points, SphericalLights};
 use crate::error::Error;
 use crate::lanes::path::Path;
 use crate::store::{Camera, Counts, Sets, Spheres, Store};
-use sh_scene::passes::LIGHT_UPDATE;
+use sh_scene::passes::{BASIS_UPDATE, LIGHT_UPDATE};
 use sh_scene::resource::{Given, PICTURE, RADIANCE};
 use sh_scene::{
     Buffer, Changes, Domain, Forest, Plan, Receiver, Scene, Settings, Step, Tracker, View,
@@ -86,6 +88,10 @@ pub struct Frames {
     lights: SphericalLights,
     /// The surface points that they were found with.
     points: Points,
+    patch_cuts: PatchCuts,
+    patch_lights: PatchLights,
+    /// The points of patches that these were found with.
+    patches: Points,
     /// The settings that `lights` were found with, if they were.
     lit: Option<Settings>,
 }
@@ -251,7 +257,7 @@ impl Frames {
         if plan.is_blocked() {
             stages.time("forest", || self.tracker.place(scene));
         }
-        let sends = plan.has(&LIGHT_UPDATE);
+        let sends = plan.has(&LIGHT_UPDATE) || plan.has(&BASIS_UPDATE);
         let surfaces = sends && self.tracker.resurface(scene);
         let same = self.tracker.changes().none() && !surfaces;
         // What spheres send on is what it was.
@@ -266,10 +272,13 @@ impl Frames {
                 cuts: &mut self.cuts,
                 lights: &mut self.lights,
                 light_cuts: &mut self.light_cuts,
+                patch_lights: &mut self.patch_lights,
+                patch_cuts: &mut self.patch_cuts,
                 counts: Counts::default(),
             },
             sets: Sets {
                 points: std::mem::take(&mut self.points),
+                patches: std::mem::take(&mut self.patches),
                 ..sets
             },
             camera,
@@ -295,6 +304,7 @@ impl Frames {
         }
         let (counts, camera, mut sets) = (store.spheres.counts, store.camera, store.sets);
         self.points = std::mem::take(&mut sets.points);
+        self.patches = std::mem::take(&mut sets.patches);
         self.lit = sends.then_some(scene.settings);
         let done = Done {
             stages,

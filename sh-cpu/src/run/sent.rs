@@ -40,6 +40,7 @@ impl SphericalLights {
             cuts,
             light_cuts,
         } = &mut room;
+        let (mut patch_lights, mut patch_cuts) = Default::default();
         let mut spheres = Spheres {
             path,
             forest,
@@ -54,6 +55,8 @@ impl SphericalLights {
             cuts,
             lights: self,
             light_cuts,
+            patch_lights: &mut patch_lights,
+            patch_cuts: &mut patch_cuts,
             counts: Counts::default(),
         };
         let mut stages = Stages::default();

@@ -3,13 +3,15 @@
 use super::work::Stages;
 use crate::device::cut::CutOptions;
 use crate::device::light_order::LightCutOptions;
+use crate::device::patch_lights::Placed;
 use crate::device::spherical_lights::Points;
 use crate::error::Error;
+use crate::passes::basis_gather::{BasisGather, basis_gather};
 use crate::passes::light_gather::{LightGather, light_gather};
 use crate::passes::light_update::light_update;
 use crate::passes::shadow::{Shadow, shadow_clusters};
 use crate::store::{Set, Spheres};
-use sh_scene::{Body, Settings};
+use sh_scene::{BasisBody, Body, Settings};
 
 impl Spheres<'_> {
     /// Light through the visibility of all blockers.
@@ -80,6 +82,35 @@ impl Spheres<'_> {
         };
         stages.time("light_gather", || {
             light_gather(path, receivers, &gather, &mut sent)
+        })?;
+        Ok(sent)
+    }
+
+    /// What patches send to receivers; `own`: what their own body gives itself among it.
+    pub(super) fn gather_patches<'a>(
+        &mut self,
+        set: &Set,
+        bodies: impl Iterator<Item = BasisBody<'a>>,
+        own: bool,
+        stages: &mut Stages,
+    ) -> Result<Vec<[f32; 3]>, Error> {
+        let (receivers, clusters) = (set.receivers, set.clusters);
+        let (path, cuts, lights) = (self.path, &mut *self.patch_cuts, &*self.patch_lights);
+        let bodies: Vec<Placed> = bodies.map(Placed::of).collect();
+        let limits = self.settings.limits;
+        stages.time("patch_cut", || {
+            cuts.find((receivers, clusters), self.forest, &bodies, limits);
+        });
+        let mut sent = vec![[0.0; 3]; receivers.len()];
+        let gather = BasisGather {
+            clusters,
+            cuts,
+            bodies: &bodies,
+            lights,
+            own,
+        };
+        stages.time("basis_gather", || {
+            basis_gather(path, receivers, &gather, &mut sent)
         })?;
         Ok(sent)
     }

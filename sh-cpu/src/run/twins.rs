@@ -2,20 +2,22 @@
 
 use super::work::Stages;
 use crate::error::Error;
+use crate::passes::basis_update::{basis_update, dark};
 use crate::passes::gbuffer::gbuffer;
 use crate::passes::invalid::invalid;
 use crate::passes::irradiance::irradiance;
-use crate::passes::points::place;
+use crate::passes::points::{place, place_patches};
 use crate::passes::resolve::resolve;
 use crate::passes::scatter::scatter;
 use crate::passes::shares::shares;
 use crate::passes::upsample::upsample;
 use crate::store::{Camera, Store};
 use sh_scene::passes::{
-    GBUFFER, INVALID, INVALID_SAMPLES, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, POINTS, RESOLVE,
-    SCATTER, SHADOW, SHARES, UPSAMPLE,
+    BASIS_GATHER, BASIS_UPDATE, GBUFFER, INVALID, INVALID_SAMPLES, IRRADIANCE, LIGHT_GATHER,
+    LIGHT_UPDATE, POINTS, RESOLVE, SCATTER, SHADOW, SHARES, UPSAMPLE,
 };
-use sh_scene::{Body, Domain, Pass, Tiles, View};
+use sh_scene::plan::Facts;
+use sh_scene::{BasisBody, Body, Domain, Pass, Tiles, View};
 
 /// A pass of the table on the CPU.
 pub(super) struct Twin {
@@ -27,19 +29,48 @@ pub(super) struct Twin {
 }
 
 /// All of them.
-static TWINS: [Twin; 11] = [
+static TWINS: [Twin; 13] = [
     Twin {
         pass: &POINTS,
+        run: |store, at, _, stages| {
+            let objects = &store.scene.objects;
+            let (sets, lights) = (&mut store.sets, &mut store.spheres.patch_lights);
+            stages.time("points", || match at {
+                Domain::Patches => {
+                    place_patches(BasisBody::all(objects), &mut sets.patches);
+                    dark(BasisBody::all(objects), lights);
+                }
+                _ => place(objects.iter().map(Body::from), &mut sets.points),
+            });
+            Ok(sets.of(at).clusters.len() as u64)
+        },
+        memory: |store, at| {
+            let (name, points) = match at {
+                Domain::Patches => ("points of patches", &store.sets.patches),
+                _ => ("points of surfaces", &store.sets.points),
+            };
+            vec![(name, bytes(&points.receivers) + bytes(&points.sent))]
+        },
+    },
+    Twin {
+        pass: &BASIS_UPDATE,
         run: |store, _, _, stages| {
-            let bodies = store.scene.objects.iter().map(Body::from);
-            let points = &mut store.sets.points;
-            stages.time("points", || place(bodies, points));
-            Ok(points.clusters.len() as u64)
+            let bodies = BasisBody::all(&store.scene.objects);
+            let count = bodies.clone().count() as u64;
+            let (spheres, points) = (&mut store.spheres, &store.sets.patches);
+            let order = spheres.light.order;
+            stages.time("basis_update", || {
+                basis_update(points, bodies, order, spheres.patch_lights)
+            })?;
+            Ok(count)
         },
         memory: |store, _| {
-            let points = &store.sets.points;
-            let bytes = bytes(&points.receivers) + bytes(&points.sent);
-            vec![("points of surfaces", bytes)]
+            let bodies = BasisBody::all(&store.scene.objects);
+            let bases = bodies.map(|body| body.basis.bytes()).sum();
+            vec![
+                ("functions of bodies", bases),
+                ("what patches send on", store.spheres.patch_lights.bytes()),
+            ]
         },
     },
     Twin {
@@ -97,7 +128,7 @@ static TWINS: [Twin; 11] = [
             // What all of them share, once.
             let shares = match at {
                 Domain::Rest => false,
-                Domain::Points => !store.scene.settings.shadows,
+                Domain::Points | Domain::Patches => !store.scene.settings.shadows,
                 _ => true,
             };
             if shares {
@@ -124,10 +155,44 @@ static TWINS: [Twin; 11] = [
             let name = match at {
                 Domain::Halves => "light sent, at half resolution",
                 Domain::Rest => "light sent to the rest of a band",
-                Domain::Points => return Vec::new(),
+                Domain::Points | Domain::Patches => return Vec::new(),
                 _ => "light sent to a band",
             };
             vec![(name, count * size_of::<[f32; 3]>())]
+        },
+    },
+    Twin {
+        pass: &BASIS_GATHER,
+        run: |store, at, _, stages| {
+            let set = store.sets.of(at);
+            let bodies = BasisBody::all(&store.scene.objects);
+            // What bodies give themselves is in their weights already.
+            let own = at != Domain::Patches;
+            let gathered = store.spheres.gather_patches(&set, bodies, own, stages)?;
+            // What spheres have sent comes first.
+            let first = Facts::of(store.scene, at == Domain::Receivers)
+                .senders
+                .is_err();
+            match set.sent {
+                Some(sent) if first => *sent = gathered,
+                Some(sent) => add(sent, &gathered),
+                None => add(set.radiance, &gathered),
+            }
+            Ok(set.clusters.len() as u64)
+        },
+        memory: |store, at| {
+            let count = store.sets.of(at).radiance.capacity();
+            let name = match at {
+                Domain::Halves => "light of patches, at half resolution",
+                Domain::Rest => "light of patches for the rest of a band",
+                Domain::Points | Domain::Patches => return Vec::new(),
+                _ => "light of patches for a band",
+            };
+            let cuts = store.spheres.patch_cuts.bytes();
+            vec![
+                (name, count * size_of::<[f32; 3]>()),
+                ("cuts of patches", cuts),
+            ]
         },
     },
     Twin {
@@ -276,6 +341,7 @@ fn radiance(store: &mut Store, at: Domain) -> (&'static str, usize) {
         Domain::Halves => "radiance at half resolution",
         Domain::Rest => "radiance of the rest of a band",
         Domain::Points => "light on points of surfaces",
+        Domain::Patches => "light on points of patches",
         _ => "radiance of a band",
     };
     (name, room(store.sets.of(at).radiance))

@@ -58,6 +58,7 @@ pub fn object(mesh: Mesh, transform: Affine3A) -> Object {
         }],
         weights: Vec::new(),
         part_of: None,
+        basis: None,
         surface: Default::default(),
     }
 }

@@ -3,15 +3,18 @@
 mod sent;
 mod told;
 
+use crate::bases::Bases;
 use crate::buffers::Buffers;
 use crate::inputs::Inputs;
 use crate::stages::{Recording, Setup, Stage, Work, options, sends};
 use crate::surfaces::Surfaces;
 use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, ShadowPass, UpsamplePass};
 use sent::Sent;
-use sh_scene::passes::SHADOW;
+use sh_scene::passes::{BASIS_GATHER, BASIS_UPDATE, SHADOW};
 use sh_scene::resource::PICTURE;
-use sh_scene::{Body, Domain, EnvironmentMap, Forest, Light, Plan, Resource, Scene, Step, View};
+use sh_scene::{
+    BasisBody, Body, Domain, EnvironmentMap, Forest, Light, Plan, Resource, Scene, Step, View,
+};
 use std::sync::Arc;
 use wgpu::{Buffer, CommandEncoder, Device, QuerySet, Queue};
 
@@ -52,6 +55,7 @@ pub struct Renderer {
     gather: Option<Arc<LightGatherPass>>,
     upsample: Option<Arc<UpsamplePass>>,
     surfaces: Option<Arc<Surfaces>>,
+    bases: Option<Arc<Bases>>,
     stages: Vec<Stage>,
     /// The plan: what is recorded, in order.
     steps: Vec<Step>,
@@ -129,7 +133,8 @@ impl Renderer {
         };
         let upsample = match &inputs {
             Some(inputs) if halves.is_some() => {
-                let pass = UpsamplePass::of(device, queue, &bands, inputs, sends)?;
+                let sent = sends || plan.has(&BASIS_GATHER);
+                let pass = UpsamplePass::of(device, queue, &bands, inputs, sent)?;
                 Some(Arc::new(pass))
             }
             _ => None,
@@ -143,7 +148,19 @@ impl Renderer {
             _ => None,
         };
         let points = scene.objects.iter().map(|o| Body::from(o).points() as u64);
-        let buffers = Buffers::new(device, plan, &bands, halves.as_ref(), points.sum())?;
+        let bases = match &inputs {
+            Some(inputs) if plan.has(&BASIS_UPDATE) => {
+                let bodies = BasisBody::all(&scene.objects);
+                let bounces = scene.settings.indirect.unwrap_or_default().bounces;
+                Some(Arc::new(Bases::new(device, inputs, bodies, bounces)?))
+            }
+            _ => None,
+        };
+        let points = [
+            points.sum(),
+            bases.as_ref().map_or(0, |bases| bases.points()),
+        ];
+        let buffers = Buffers::new(device, plan, &bands, halves.as_ref(), points)?;
         let setup = Setup {
             device,
             pipelines,
@@ -155,6 +172,7 @@ impl Renderer {
             gather: gather.as_ref(),
             upsample: upsample.as_ref(),
             surfaces: surfaces.as_ref(),
+            bases: bases.as_ref(),
             buffers: &buffers,
         };
         let stages = plan.passes.iter().map(|planned| setup.stage(planned));
@@ -180,6 +198,7 @@ impl Renderer {
             gather,
             upsample,
             surfaces,
+            bases,
         })
     }
 
@@ -215,6 +234,9 @@ impl Renderer {
         }
         if let Some(surfaces) = &self.surfaces {
             surfaces.prepare(queue, scene.objects.iter().map(Body::from), blockers)?;
+        }
+        if let Some(bases) = &self.bases {
+            bases.prepare(queue, BasisBody::all(&scene.objects))?;
         }
         for stage in &self.stages {
             if let Work::Irradiance { pass, .. } = &stage.work {

@@ -14,7 +14,8 @@ impl Renderer {
         let inputs = self.inputs.as_ref().map_or(0, |inputs| inputs.uploaded());
         let gather = self.gather.as_ref().map_or(0, |pass| pass.uploaded());
         let surfaces = self.surfaces.as_ref().map_or(0, |s| s.uploaded());
-        inputs + gather + surfaces + self.stages.iter().map(Stage::uploaded).sum::<u64>()
+        let bases = self.bases.as_ref().map_or(0, |bases| bases.uploaded());
+        inputs + gather + surfaces + bases + self.stages.iter().map(Stage::uploaded).sum::<u64>()
     }
 
     /// Bytes that [`prepare`](Self::prepare) has uploaded since the renderer was made. A frame that is like the one before

@@ -1,9 +1,21 @@
 //! Whole frames.
 
 use crate::gpu::Gpu;
-use crate::scenes::{Numbers, ball_and_quad, bouncing, standing_quad, view};
+use crate::scenes::{Numbers, ball_and_quad, bouncing, shining, standing_quad, view};
 use sh_gpu::{Bands, Renderer};
-use sh_scene::{Plan, Scene, View};
+use sh_scene::{Light, Plan, Scene, View};
+
+/// The picture of a scene under some light.
+pub fn picture_of(gpu: &Gpu, scene: &Scene, view: &View, light: &Light) -> Vec<[f32; 4]> {
+    let (plan, most) = (Plan::new(scene), Bands::MAX_SAMPLES);
+    let renderer =
+        Renderer::with_pipelines(&gpu.pipelines, &gpu.queue, scene, &plan, view, most).unwrap();
+    renderer
+        .prepare(&gpu.queue, scene, &scene.forest(), light, view)
+        .unwrap();
+    gpu.submit(|encoder| renderer.record(encoder, None));
+    gpu.read(renderer.picture())
+}
 
 /// The picture of a scene under the light of a counter.
 pub fn render(gpu: &Gpu, scene: &Scene, view: &View, max_samples: u32) -> Vec<[f32; 4]> {
@@ -53,7 +65,13 @@ pub fn the_sky_is_the_environment_map(gpu: &Gpu) {
 pub fn bands_leave_no_seam(gpu: &Gpu) {
     let mut full = bouncing();
     full.settings.half_resolution = false;
-    for scene in [standing_quad(), ball_and_quad(), bouncing(), full] {
+    for scene in [
+        standing_quad(),
+        ball_and_quad(),
+        bouncing(),
+        full,
+        shining(),
+    ] {
         let view = view(&scene, 65, 151);
         let (one, many) = (
             render(gpu, &scene, &view, 1 << 20),

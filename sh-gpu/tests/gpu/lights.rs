@@ -25,6 +25,7 @@ fn heap(numbers: &mut Numbers, count: usize, spread: f32) -> Object {
     Object {
         weights: Vec::new(),
         part_of: None,
+        basis: None,
         surface: surface(numbers, &spheres),
         spheres,
         transform: Affine3A::from_scale_rotation_translation(
@@ -244,7 +245,11 @@ pub fn spheres_send_what_they_do_on_the_cpu(gpu: &Gpu) {
                 forest: &forest,
                 light: &light,
                 limits: Limits::default(),
-                indirect: Indirect { bounces, blocking },
+                indirect: Indirect {
+                    bounces,
+                    blocking,
+                    ..Indirect::default()
+                },
                 receivers: &receivers,
                 clusters: &clusters,
             };
@@ -281,6 +286,7 @@ pub fn long_cuts_are_those_of_the_cpu(gpu: &Gpu) {
             indirect: Indirect {
                 bounces: 1,
                 blocking,
+                ..Indirect::default()
             },
             receivers: &receivers,
             clusters: &clusters,
@@ -328,6 +334,7 @@ pub fn what_is_sent_stays_bounded(gpu: &Gpu) {
                 indirect: Indirect {
                     bounces: 3,
                     blocking,
+                    ..Indirect::default()
                 },
                 receivers: &receivers,
                 clusters: &clusters,

@@ -12,6 +12,7 @@ mod invalid;
 mod lights;
 mod middleware;
 mod parity;
+mod patches;
 mod plans;
 mod scenes;
 mod shading;
@@ -198,6 +199,10 @@ const TESTS: &[Test] = &[
     (
         "troubles::refusals_are_errors",
         troubles::refusals_are_errors,
+    ),
+    (
+        "patches::patches_give_what_they_do_on_the_cpu",
+        patches::patches_give_what_they_do_on_the_cpu,
     ),
     (
         "frame::timestamps_tell_every_pass",

@@ -1,10 +1,14 @@
 //! Things to light, made from a counter: the same in every run.
 
+#[path = "../../../tests/shared/ball_basis.rs"]
+mod ball_basis;
+
+use ball_basis::ball_basis;
 use glam::{Affine3A, Quat, Vec3};
 use sh_scene::surface::{SurfacePoint, SurfaceSamples, directions};
 use sh_scene::{
     AreaLight, Blocking, Camera, Distribution, EnvironmentMap, Ground, Indirect, Light, Limits,
-    Material, Mesh, Object, Receiver, Scene, Settings, Sphere, View,
+    Material, Mesh, Method, Object, Receiver, Scene, Settings, Sphere, View,
 };
 
 /// Numbers in 0..1, the same every time (SplitMix64).
@@ -98,6 +102,7 @@ pub fn standing_quad() -> Scene {
         ],
         weights: Vec::new(),
         part_of: None,
+        basis: None,
         surface: Default::default(),
     };
     let mut numbers = Numbers(5);
@@ -233,6 +238,32 @@ pub fn bouncing() -> Scene {
     scene.settings.indirect = Some(Indirect {
         bounces: 2,
         blocking: Blocking::Discs,
+        ..Indirect::default()
+    });
+    scene
+}
+
+/// Balls that send light on by their patches, three times, beside a quad that does so by its spheres.
+pub fn shining() -> Scene {
+    let mut scene = ball_and_quad();
+    let mut numbers = Numbers(33);
+    scene.objects[0].surface = surface(&mut numbers, &scene.objects[0].spheres);
+    scene.objects[1].basis = Some(ball_basis(&mut || numbers.next(), 0.5, 9));
+    let turn = Quat::from_euler(glam::EulerRot::XYZ, 0.4, 1.0, -0.3);
+    scene.objects.push(Object {
+        name: "another".into(),
+        transform: Affine3A::from_scale_rotation_translation(
+            Vec3::splat(0.6),
+            turn,
+            Vec3::new(-0.5, 0.4, 1.5),
+        ),
+        basis: Some(ball_basis(&mut || numbers.next(), 0.5, 4)),
+        ..scene.objects[1].clone()
+    });
+    scene.settings.indirect = Some(Indirect {
+        method: Method::BasisIrradiance,
+        bounces: 3,
+        ..Indirect::default()
     });
     scene
 }

@@ -1,8 +1,11 @@
 //! The records of the kernels and those of Rust have the same layout, as naga lays WGSL out.
 
 use naga::proc::Layouter;
-use sh_gpu::records::{Band, Body, Lighting, ScreenSource, Sender, UpsampleRule, VertexSource};
+use sh_gpu::records::{
+    Band, Basis, Body, Lighting, ScreenSource, Sender, UpsampleRule, VertexSource,
+};
 use sh_kernels::{MAX_ORDER, MIN_ORDER, Pass, source};
+use sh_scene::basis::{Disc, Patch};
 use sh_scene::surface::SurfacePoint;
 use sh_scene::{Emitter, Node, Receiver};
 use std::mem::offset_of;
@@ -83,6 +86,48 @@ fn records_are_laid_out_alike() {
                 }
             );
         }
+        for pass in [Pass::BasisUpdate, Pass::BasisGather] {
+            same_layout!(
+                pass,
+                order,
+                Basis {
+                    world_from_object,
+                    object_from_world,
+                    center,
+                    radius,
+                    scale,
+                    object,
+                    first,
+                    patches,
+                    functions,
+                    weights,
+                    duals,
+                    sends,
+                    light,
+                    own,
+                    unused
+                }
+            );
+        }
+        same_layout!(
+            Pass::BasisGather,
+            order,
+            Disc {
+                center,
+                area,
+                normal,
+                unused
+            }
+        );
+        same_layout!(
+            Pass::BasisGather,
+            order,
+            Patch {
+                whole,
+                discs,
+                escape
+            }
+        );
         for pass in [Pass::LightUpdate, Pass::Shadow, Pass::LightGather] {
             same_layout!(
                 pass,

@@ -10,7 +10,7 @@ use sh_scene::{
 };
 
 /// What passes are bound to that is nobody else's: kernel, what it calls it, and what it is.
-const PRIVATE: [(&str, &str, &str); 9] = [
+const PRIVATE: [(&str, &str, &str); 13] = [
     ("gbuffer", "band", "the part of the picture at hand"),
     ("gbuffer", "places", "what was drawn, before it is packed"),
     ("gbuffer", "surfaces", "what was drawn, before it is packed"),
@@ -24,6 +24,18 @@ const PRIVATE: [(&str, &str, &str); 9] = [
     ),
     ("light_update", "lighting", "how many nodes there are"),
     ("light_update", "cells", "constants"),
+    (
+        "basis_gather",
+        "lighting",
+        "limits, and how many nodes there are",
+    ),
+    (
+        "basis_update",
+        "before",
+        "what bodies gave themselves in the turn before",
+    ),
+    ("basis_update", "weights", "of bodies' functions"),
+    ("basis_update", "weighed", "of bodies' functions"),
 ];
 
 fn scene() -> Scene {
@@ -57,7 +69,7 @@ fn scene() -> Scene {
 }
 
 /// What a scene calls for that has everything, with and without shadows, at half and at full resolution.
-fn facts(scene: &Scene) -> Vec<Facts<'_>> {
+fn facts<'a>(scene: &'a Scene) -> Vec<Facts<'a>> {
     let with = |shadows: bool, half: bool| Facts {
         blockers: 2,
         lamps: 1,
@@ -68,7 +80,18 @@ fn facts(scene: &Scene) -> Vec<Facts<'_>> {
         senders: Ok(2),
         ..Facts::of(scene, false)
     };
-    vec![with(true, true), with(true, false), with(false, false)]
+    let by_patches = |facts: Facts<'a>| Facts {
+        senders: Err("none"),
+        patched: Ok(2),
+        ..facts
+    };
+    vec![
+        with(true, true),
+        with(true, false),
+        with(false, false),
+        by_patches(with(true, true)),
+        by_patches(with(true, false)),
+    ]
 }
 
 /// What the entry points that a pass has of its own are bound to.
@@ -94,7 +117,7 @@ fn bound(pass: &Pass, facts: &Facts) -> Vec<(&'static str, &'static Binding)> {
 
 /// Whether a slot tells of what a kernel does with something.
 fn tells(slot: &Slot, binding: &Binding) -> bool {
-    let written = matches!(slot.access, Access::Write | Access::Modify);
+    let written = matches!(slot.access, Access::Write | Access::Modify | Access::Add);
     let read = slot.access != Access::Write;
     slot.bindings.contains(&binding.name)
         && match binding.kind {

@@ -70,7 +70,7 @@ impl Plan {
                     Access::Read | Access::Modify => self.made((pass.name(), index), what)?,
                     // A turn before, whoever makes it may come later in the plan.
                     Access::ReadBefore => self.made((pass.name(), self.passes.len()), what)?,
-                    Access::ReadIfAny | Access::Write => {}
+                    Access::ReadIfAny | Access::Write | Access::Add => {}
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use super::passes::SHADOW;
 use super::{Domain, LeftOut, Resource};
-use crate::{Object, Scene, Settings};
+use crate::{BasisBody, Method, Object, Scene, Settings};
 
 /// What of a scene and its settings decides about passes and shaders.
 pub struct Facts<'a> {
@@ -30,6 +30,10 @@ pub struct Facts<'a> {
     pub senders: Result<usize, &'static str>,
     /// Points on the surfaces around them.
     pub points: usize,
+    /// How many bodies send light on by their patches, or why none does; nothing where nobody asked for it.
+    pub patched: Result<usize, &'static str>,
+    /// The points of these.
+    pub patches: usize,
 }
 
 impl<'a> Facts<'a> {
@@ -53,6 +57,10 @@ impl<'a> Facts<'a> {
             half: shadows && settings.half_resolution && !brought,
             senders: senders(scene),
             points: scene.objects.iter().map(|o| o.surface.points.len()).sum(),
+            patched: patched(scene),
+            patches: BasisBody::all(&scene.objects)
+                .map(|body| body.basis.patches())
+                .sum(),
         }
     }
 
@@ -62,6 +70,23 @@ impl<'a> Facts<'a> {
             true => Domain::Receivers,
             false => Domain::Samples,
         }
+    }
+
+    /// Whether bodies send light on, by whatever.
+    pub fn sends(&self) -> bool {
+        self.senders.is_ok() || self.patched.is_ok()
+    }
+
+    /// The points of bodies at which light is looked up, by domain: those around spheres, and those of patches.
+    pub fn lit_points(&self) -> Vec<Domain> {
+        let all = [
+            (Domain::Points, self.senders.is_ok()),
+            (Domain::Patches, self.patched.is_ok()),
+        ];
+        all.into_iter()
+            .filter(|(_, any)| *any)
+            .map(|(at, _)| at)
+            .collect()
     }
 
     /// How often light is sent on.
@@ -114,7 +139,7 @@ impl<'a> Facts<'a> {
             all.push(LeftOut { name, reason });
         };
         // Where bodies light each other, it runs all the same, but no receiver of the picture sees it.
-        if let (Ok(_), Some(why)) = (self.senders, self.unblocked()) {
+        if let (true, Some(why)) = (self.sends(), self.unblocked()) {
             add(SHADOW.name, why);
         }
         let dark = self.scene.lights.len() - self.lamps;
@@ -144,6 +169,7 @@ fn senders(scene: &Scene) -> Result<usize, &'static str> {
         .indirect
         .ok_or("Bodies do not light each other, because the settings do not ask for it.")?;
     let shining = |o: &&Object| !o.surface.points.is_empty();
+    let by_patches = scene.objects.iter().any(|o| o.basis.is_some());
     let lights: usize = scene
         .objects
         .iter()
@@ -156,6 +182,9 @@ fn senders(scene: &Scene) -> Result<usize, &'static str> {
         .filter(|o| !o.mesh.triangles.is_empty() || !o.spheres.is_empty())
         .count();
     let seen = bodies + usize::from(scene.ground.is_some());
+    if lights == 0 && by_patches {
+        return Err("Bodies send light on by their patches: none does by its spheres.");
+    }
     if lights == 0 {
         return Err("No sphere has surface samples that could send light on.");
     }
@@ -163,6 +192,20 @@ fn senders(scene: &Scene) -> Result<usize, &'static str> {
         return Err("Nothing can see the only sphere that would send light on.");
     }
     Ok(lights)
+}
+
+/// How many bodies send light on by their patches, in a scene that asks for it and has something that can see them; or why
+/// none does, in no words where nobody asked for it.
+fn patched(scene: &Scene) -> Result<usize, &'static str> {
+    let indirect = scene.settings.indirect;
+    if indirect.map(|indirect| indirect.method) != Some(Method::BasisIrradiance) {
+        return Err("");
+    }
+    let count = BasisBody::all(&scene.objects).count();
+    if count == 0 {
+        return Err("No body has functions that tell its irradiance.");
+    }
+    Ok(count)
 }
 
 /// "1 object", "3 objects".

@@ -40,7 +40,7 @@ fn rank(access: Access) -> u32 {
     match access {
         Access::ReadBefore => 0,
         Access::Write => 1,
-        Access::Modify => 2,
+        Access::Modify | Access::Add => 2,
         Access::Read | Access::ReadIfAny => 3,
     }
 }

@@ -24,7 +24,7 @@ impl Pass {
     /// Whether it makes a resource of a domain where it runs `at` one.
     pub fn makes(&self, at: Domain, what: (Resource, Domain)) -> bool {
         let slots = (self.slots)(at);
-        let mut made = slots.iter().filter(|slot| slot.access == Access::Write);
+        let mut made = slots.iter().filter(|slot| slot.access.makes());
         made.any(|slot| slot.bound(at) == what)
     }
 }
@@ -81,6 +81,15 @@ pub enum Access {
     Write,
     /// Needs it and changes it in place.
     Modify,
+    /// Adds to it; the first that does finds 0.
+    Add,
+}
+
+impl Access {
+    /// Whether the resource is there after it.
+    pub fn makes(self) -> bool {
+        matches!(self, Self::Write | Self::Add)
+    }
 }
 
 /// A resource that a pass is bound to.
@@ -130,6 +139,11 @@ impl Slot {
     /// Changes a resource in place.
     pub const fn modify(resource: Resource) -> Self {
         Self::new(resource, Access::Modify)
+    }
+
+    /// Adds to a resource; the first pass that does finds 0.
+    pub const fn add(resource: Resource) -> Self {
+        Self::new(resource, Access::Add)
     }
 
     /// The same of another set of receivers than the pass runs over.
@@ -205,6 +219,10 @@ pub struct Units {
     pub gather: f64,
     /// What a sphere makes of the light on its points.
     pub send: f64,
+    /// What patches send to it.
+    pub patches: f64,
+    /// What a patch's part of its body's functions is.
+    pub weigh: f64,
 }
 
 /// What an element of a pass's domain costs.

@@ -12,6 +12,8 @@ pub enum Domain {
     Points,
     /// The spheres of all bodies.
     Spheres,
+    /// Patches of bodies' surfaces, each with a point as a receiver.
+    Patches,
     /// Receivers that the caller brings: vertices, or whatever else is to be lit.
     Receivers,
     /// A ray for every two by two pixels: [`crate::View::halves`].
@@ -26,10 +28,11 @@ pub enum Domain {
 
 impl Domain {
     /// All of them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Scene,
         Self::Points,
         Self::Spheres,
+        Self::Patches,
         Self::Receivers,
         Self::Halves,
         Self::Samples,
@@ -43,6 +46,7 @@ impl Domain {
             Self::Scene => "scene",
             Self::Points => "points",
             Self::Spheres => "spheres",
+            Self::Patches => "patches",
             Self::Receivers => "receivers",
             Self::Halves => "halves",
             Self::Samples => "samples",
@@ -54,13 +58,13 @@ impl Domain {
     /// Whether what passes make for it stays as it is from frame to frame, as long as no body moves and no light changes: it
     /// has nothing to do with what looks at it.
     pub fn is_kept(self) -> bool {
-        matches!(self, Self::Points | Self::Spheres)
+        matches!(self, Self::Points | Self::Spheres | Self::Patches)
     }
 
     /// When its passes run: those of one phase are done, all bands of them, before those of the next begin.
     pub(super) fn phase(self) -> Phase {
         match self {
-            Self::Scene | Self::Points | Self::Spheres => Phase::Bodies,
+            Self::Scene | Self::Points | Self::Spheres | Self::Patches => Phase::Bodies,
             Self::Receivers => Phase::Brought,
             Self::Halves => Phase::Coarse,
             Self::Samples | Self::Rest | Self::Pixels => Phase::Fine,
@@ -181,6 +185,21 @@ pub const EMISSION: Resource = Resource::made(
     (0, &["emission"]),
 );
 
+/// Functions in which the irradiance of bodies is told, and what is seen of their patches: [`crate::IrradianceBasis`].
+pub const BASES: Resource = given(
+    "bases",
+    "function, patch and region",
+    &["bodies", "duals", "sends", "owns", "lobes"],
+);
+
+/// What each patch sends on, and each region. A GPU keeps it with the pass that gathers it.
+pub const PATCH_LIGHT: Resource = Resource::made(
+    "patch light",
+    "radiance, and an SH vector a region and channel",
+    Some(Domain::Patches),
+    (0, &["light"]),
+);
+
 /// Positions and normals to light: [`crate::Receiver`] records; and which of them lie together.
 pub const RECEIVERS: Resource = Resource::made(
     "receivers",
@@ -218,7 +237,7 @@ pub const UPSAMPLED: Resource = Resource::made(
 )
 .within(RADIANCE);
 
-/// What spheres send to each receiver, where it is kept apart from other light.
+/// What bodies send to each receiver, where it is kept apart from other light.
 pub const SENT: Resource =
     Resource::made("sent", "linear Rec.709 radiance", None, (16, &["radiance"]));
 

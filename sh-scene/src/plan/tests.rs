@@ -27,6 +27,7 @@ fn scene(spheres: usize, shadows: bool) -> Scene {
         ],
         weights: Vec::new(),
         part_of: None,
+        basis: None,
         surface: Default::default(),
     };
     Scene {

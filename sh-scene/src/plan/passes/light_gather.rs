@@ -9,17 +9,17 @@ use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
 pub static LIGHT_GATHER: Pass = Pass {
     name: "light_gather",
     slots: |at| match at {
-        Domain::Points => vec![
+        Domain::Points | Domain::Patches => vec![
             Slot::read(RECEIVERS),
             Slot::read(BLOCKERS),
             Slot::read_before(EMISSION),
-            Slot::modify(SENT),
+            Slot::add(SENT),
         ],
         Domain::Halves | Domain::Receivers => vec![
             Slot::read(RECEIVERS),
             Slot::read(BLOCKERS),
             Slot::read(EMISSION),
-            Slot::write(SENT),
+            Slot::add(SENT),
         ],
         _ => vec![
             Slot::read(RECEIVERS),
@@ -43,8 +43,9 @@ pub static LIGHT_GATHER: Pass = Pass {
         let reason = format!("Bodies light each other and the ground; {hides}.");
         let mut runs = Vec::new();
         if facts.bounces() > 1 {
-            let more = "What spheres send falls on the surface around others, to be sent on again.";
-            runs.push(Run::in_turns(Domain::Points, 1..facts.bounces(), more));
+            let more = "What spheres send falls on the surfaces of others, to be sent on again.";
+            let points = facts.lit_points().into_iter();
+            runs.extend(points.map(|at| Run::in_turns(at, 1..facts.bounces(), more)));
         }
         if facts.half {
             let rest = "Edges and small folds gather what bodies send by themselves.";

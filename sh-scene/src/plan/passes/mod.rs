@@ -2,6 +2,8 @@
 //!
 //! The table's order says which of two passes comes first where their slots leave that open.
 
+mod basis_gather;
+mod basis_update;
 mod gbuffer;
 mod invalid;
 mod irradiance;
@@ -14,6 +16,8 @@ mod shadow;
 mod shares;
 mod upsample;
 
+pub use basis_gather::BASIS_GATHER;
+pub use basis_update::BASIS_UPDATE;
 pub use gbuffer::GBUFFER;
 pub use invalid::{INVALID, INVALID_SAMPLES, InvalidSamples};
 pub use irradiance::IRRADIANCE;
@@ -29,13 +33,15 @@ pub use upsample::UPSAMPLE;
 use super::Pass;
 
 /// All of them.
-pub static PASSES: [&Pass; 11] = [
+pub static PASSES: [&Pass; 13] = [
     &POINTS,
     &LIGHT_UPDATE,
+    &BASIS_UPDATE,
     &GBUFFER,
     &IRRADIANCE,
     &SHADOW,
     &LIGHT_GATHER,
+    &BASIS_GATHER,
     &SHARES,
     &UPSAMPLE,
     &SCATTER,

@@ -1,27 +1,47 @@
 //! Points on bodies' surfaces, to be lit.
 
 use crate::plan::facts::counted;
-use crate::plan::resource::{RECEIVERS, SENT, SURFACE_POINTS};
+use crate::plan::resource::{BASES, RECEIVERS, SENT, SURFACE_POINTS};
 use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
 
-/// Points of the surface around each sphere where their body is now, as receivers, which bodies have sent nothing to yet.
+/// Points of the surface around each sphere, or of each patch, where their body is now, as receivers, which bodies have sent
+/// nothing to yet.
 pub static POINTS: Pass = Pass {
     name: "points",
-    slots: |_| {
+    slots: |at| {
+        let (surface, of) = match at {
+            Domain::Patches => (Slot::read(BASES).named(&["bodies", "points"]), at),
+            _ => (Slot::read(SURFACE_POINTS), Domain::Points),
+        };
         vec![
-            Slot::read(SURFACE_POINTS),
-            Slot::write(RECEIVERS).of(Domain::Points),
+            surface,
+            Slot::write(RECEIVERS).of(of),
             // By the host, which clears it.
-            Slot::write(SENT).of(Domain::Points).named(&[]),
+            Slot::write(SENT).of(of).named(&[]),
         ]
     },
     wanted: |facts| {
-        facts.senders?;
-        let count = counted(facts.points, "point", "points");
-        let reason = format!("{count} on bodies' surfaces tell what falls on them.");
-        Ok(vec![Run::once(Domain::Points, reason)])
+        if let (Err(why), Err(_)) = (facts.senders, facts.patched) {
+            return Err(why.into());
+        }
+        let run = |at| {
+            let [count, whose] = match at {
+                Domain::Patches => [facts.patches, 1],
+                _ => [facts.points, 0],
+            };
+            let count = counted(count, "point", "points");
+            let whose = ["bodies' surfaces tell", "patches tell"][whose];
+            Run::once(at, format!("{count} on {whose} what falls on them."))
+        };
+        Ok(facts.lit_points().into_iter().map(run).collect())
     },
-    entries: |_| vec![Entry::new("light_update", "place", Orders::Light)],
+    entries: |facts| {
+        let of = |at| match at {
+            Domain::Patches => Entry::new("basis_update", "place", Orders::Light),
+            _ => Entry::new("light_update", "place", Orders::Light),
+        };
+        facts.lit_points().into_iter().map(of).collect()
+    },
     cost: |_| Cost {
         multiply_adds: 30.0,
         nanoseconds: 0.0,

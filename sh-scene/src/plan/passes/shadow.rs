@@ -17,9 +17,9 @@ pub static SHADOW: Pass = Pass {
     },
     wanted: |facts| {
         let mut runs = Vec::new();
-        if facts.senders.is_ok() {
+        for at in facts.lit_points() {
             let reason = "Of the light on bodies' surfaces, other bodies leave a part.";
-            runs.push(Run::once(Domain::Points, reason));
+            runs.push(Run::once(at, reason));
         }
         if let Some(why) = facts.unblocked() {
             // What shades points alone is no shadow that anyone sees.

@@ -32,7 +32,7 @@ pub static UPSAMPLE: Pass = Pass {
     },
     entries: |facts| {
         let [lamps, distributions] = facts.lamp_constants();
-        let sent = ("SENT", facts.senders.is_ok());
+        let sent = ("SENT", facts.sends());
         let entry = Entry::new("upsample", "upsample", Orders::Light);
         vec![entry.with(&[lamps, distributions, sent])]
     },

@@ -1,0 +1,238 @@
+//! The patches that light a cluster of receivers, and the spheres that may hide them.
+
+use super::patch_lights::Placed;
+use glam::Vec3;
+use rayon::prelude::*;
+use sh_core::constants::{
+    BEHIND, COARSER, COARSEST, ENTIRE, LIFTED, NEAR, REACH, REFINED, REGION_PATCHES, ROOM, WIDENED,
+};
+use sh_scene::basis::Disc;
+use sh_scene::{Blocker, Bounds, Forest, Limits, Receiver, Side};
+use std::ops::Range;
+
+/// The patches that light each cluster, and what hides them. Their memory is kept from frame to frame.
+#[derive(Clone, Debug, Default)]
+pub struct PatchCuts {
+    pub clusters: Vec<PatchCut>,
+}
+
+/// What lights a cluster.
+#[derive(Clone, Debug, Default)]
+pub struct PatchCut {
+    pub sources: Vec<Source>,
+    /// Spheres that may hide a part of them, body by body.
+    pub hiders: Vec<Blocker>,
+    /// For each part those of its body's that may hide it: the how many-th they are.
+    pub hiding: Vec<u8>,
+    pub parts: Vec<Part>,
+    /// The bodies that its receivers are of.
+    objects: Vec<u32>,
+    /// The nodes of its cut.
+    nodes: Vec<u32>,
+}
+
+/// A body that lights a cluster.
+#[derive(Clone, Copy, Debug)]
+pub struct Source {
+    pub body: u32,
+    /// Where its hiders and parts end in the lists of all; they begin where those of the one before it end.
+    pub hiders_end: u32,
+    pub parts_end: u32,
+    /// Whether some receiver is of the body itself.
+    pub own: bool,
+}
+
+/// A region of a body that some receiver may see.
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    pub region: u32,
+    /// Whether it counts as a whole for some receiver.
+    pub whole: bool,
+    /// Bit m: its patch m counts for some.
+    pub patches: u32,
+    /// Where those that may hide it end in the list of all; they begin where those of the part before it end.
+    pub hiding_end: u32,
+}
+
+impl PatchCuts {
+    /// Finds what lights every cluster of receivers.
+    pub fn find(
+        &mut self,
+        (receivers, clusters): (&[Receiver], &[Range<usize>]),
+        forest: &Forest,
+        bodies: &[Placed],
+        limits: Limits,
+    ) {
+        self.clusters.resize_with(clusters.len(), PatchCut::default);
+        let each = self.clusters.par_iter_mut().zip(clusters);
+        each.for_each(|(own, range)| {
+            let receivers = &receivers[range.clone()];
+            own.clear();
+            if let Some(bounds) = Bounds::of(receivers) {
+                own.objects(receivers);
+                own.cut(&bounds, forest, limits);
+                own.find(&bounds, forest, bodies);
+            }
+        });
+    }
+
+    pub(crate) fn bytes(&self) -> usize {
+        let of = |cut: &PatchCut| {
+            size_of_val(&cut.sources[..])
+                + size_of_val(&cut.hiders[..])
+                + size_of_val(&cut.hiding[..])
+                + size_of_val(&cut.parts[..])
+                + size_of_val(&cut.nodes[..])
+        };
+        self.clusters.iter().map(of).sum()
+    }
+}
+
+impl PatchCut {
+    fn clear(&mut self) {
+        self.sources.clear();
+        self.hiders.clear();
+        self.hiding.clear();
+        self.parts.clear();
+        self.objects.clear();
+        self.nodes.clear();
+    }
+
+    /// The nodes of the cut: a coarser one where there would be more than are looked at.
+    fn cut(&mut self, bounds: &Bounds, forest: &Forest, mut limits: Limits) {
+        for _ in 0..COARSEST {
+            self.nodes.clear();
+            let nodes = &mut self.nodes;
+            forest.cut(bounds.center, bounds.radius, limits, |at| {
+                nodes.push(at as u32)
+            });
+            if nodes.len() <= ROOM {
+                return;
+            }
+            limits.sin_max = (limits.sin_max * COARSER).max(COARSER - 1.0);
+        }
+        self.nodes.truncate(ROOM);
+    }
+
+    fn objects(&mut self, receivers: &[Receiver]) {
+        for receiver in receivers.iter().filter(|r| r.covered != 0) {
+            if self.objects.last() != Some(&receiver.object)
+                && !self.objects.contains(&receiver.object)
+            {
+                self.objects.push(receiver.object);
+            }
+        }
+    }
+
+    fn find(&mut self, bounds: &Bounds, forest: &Forest, bodies: &[Placed]) {
+        for (body, placed) in (0..).zip(bodies).filter(|(_, body)| body.placed) {
+            let own = self.objects.contains(&placed.object);
+            // To its own receivers a body gives what its functions say.
+            let others = !own || self.objects.len() > 1;
+            let before = self.parts.len();
+            if others && bounds.side(placed.center, placed.radius) != Side::Behind {
+                self.parts_of(placed, bounds);
+            }
+            let seen = self.parts.len() > before;
+            if seen {
+                self.hide(placed, bounds, forest, before);
+            }
+            if own || seen {
+                self.sources.push(Source {
+                    body,
+                    hiders_end: self.hiders.len() as u32,
+                    parts_end: self.parts.len() as u32,
+                    own,
+                });
+            }
+        }
+    }
+
+    fn parts_of(&mut self, placed: &Placed, bounds: &Bounds) {
+        let shape = placed.shape;
+        let from = placed.local.transform_point3(bounds.center);
+        let within = bounds.radius / placed.scale;
+        let patches = placed.patches.chunks_exact(REGION_PATCHES);
+        for (index, (region, patches)) in (0..).zip(shape.regions.iter().zip(patches)) {
+            let center = Vec3::from(region.center);
+            let world = placed.world(center);
+            if bounds.side(world, region.radius * placed.scale) == Side::Behind {
+                continue;
+            }
+            let far = center.distance(from);
+            let whole = far + within > REFINED as f32 * region.radius;
+            let mut mask = 0;
+            if far - within < ENTIRE as f32 * region.radius {
+                for (bit, patch) in patches.iter().enumerate() {
+                    let faces = |disc: &Disc| {
+                        let height = Vec3::from(disc.normal).dot(from - Vec3::from(disc.center));
+                        let behind = BEHIND * LIFTED * f64::from(disc.area).sqrt();
+                        height + within + behind as f32 > 0.0
+                    };
+                    let mut discs = std::iter::once(&patch.whole).chain(&patch.discs);
+                    mask |= u32::from(discs.any(faces)) << bit;
+                }
+            }
+            if whole || mask != 0 {
+                self.parts.push(Part {
+                    region: index,
+                    whole,
+                    patches: mask,
+                    hiding_end: 0,
+                });
+            }
+        }
+    }
+
+    /// Spheres of other bodies that may hide a part of this one, whose parts begin at `first`, from some receiver. One that
+    /// stands for several is as large as they are together.
+    fn hide(&mut self, placed: &Placed, bounds: &Bounds, forest: &Forest, first: usize) {
+        let balls = self.nodes.iter().map(|&at| {
+            let node = &forest.nodes()[at as usize];
+            Blocker {
+                radius: node.radius.min(node.area.sqrt()),
+                ..Blocker::of(node)
+            }
+        });
+        let before = self.hiders.len();
+        let whole = (placed.center, placed.radius);
+        self.hiders.extend(balls.filter(|ball| {
+            ball.object != placed.object
+                && bounds.side(ball.center.into(), ball.radius) != Side::Behind
+                && may_hide(ball, whole, bounds)
+        }));
+        let hiders = &self.hiders[before..];
+        for part in &mut self.parts[first..] {
+            let region = &placed.shape.regions[part.region as usize];
+            let ball = (
+                placed.world(region.center.into()),
+                region.radius * placed.scale,
+            );
+            // There are no more than 128.
+            let hiding = (0..=u8::MAX)
+                .zip(hiders)
+                .filter(|(_, hider)| may_hide(hider, ball, bounds));
+            self.hiding.extend(hiding.map(|(at, _)| at));
+            part.hiding_end = self.hiding.len() as u32;
+        }
+    }
+}
+
+/// Whether a sphere, or what stands for it where the horizon cuts it, may hide a part of a ball from some receiver of a cluster:
+/// with radii larger by that of the cluster, seen from its middle, their discs meet, and it does not begin behind where the
+/// ball ends.
+fn may_hide(hider: &Blocker, (center, radius): (Vec3, f32), bounds: &Bounds) -> bool {
+    let [to, towards] = [center, hider.center.into()].map(|p: Vec3| p - bounds.center);
+    let [far, near] = [to, towards].map(Vec3::length);
+    if near - hider.radius > far + radius + 2.0 * bounds.radius {
+        return false;
+    }
+    let wide = [(radius, far), (REACH * hider.radius, near)];
+    let [sine, other] = wide.map(|(radius, far)| (radius + WIDENED * bounds.radius) / far);
+    // A cluster that reaches into a ball may see it anywhere, as one that is near a sphere may see what stands for it.
+    if !(sine < 1.0 && other < 1.0 && near > NEAR * hider.radius + bounds.radius) {
+        return true;
+    }
+    let [a, b] = [sine, other].map(|sine| (1.0 - sine * sine).max(0.0).sqrt());
+    to.dot(towards) >= far * near * (a * b - sine * other)
+}

@@ -1,0 +1,77 @@
+//! What weights of functions are found with, and what they tell.
+
+use super::parts::BasisParts;
+use sh_core::constants::PATCH_SAMPLES;
+
+/// What patches are told of: of each function, patch by patch, times the weights; nowhere below 0.
+pub(super) fn told(rows: &[[f32; 3]], weights: &[[f32; 3]]) -> Vec<[f32; 3]> {
+    let row = |row: &[[f32; 3]]| {
+        let mut sum = [0.0; 3];
+        for (own, weight) in row.iter().zip(weights) {
+            for ((sum, own), weight) in sum.iter_mut().zip(own).zip(weight) {
+                *sum += own * weight;
+            }
+        }
+        sum.map(|x: f32| x.max(0.0))
+    };
+    rows.chunks_exact(weights.len().max(1)).map(row).collect()
+}
+
+/// What each patch sends on of each function, in the mean of its samples.
+pub(super) fn sends(parts: &BasisParts, count: usize) -> Vec<[f32; 3]> {
+    let all = parts.samples.len();
+    let mean = |patch: usize, i: usize| {
+        let mut sum = [0.0; 3];
+        for at in patch * PATCH_SAMPLES..(patch + 1) * PATCH_SAMPLES {
+            let value = parts.values[i * all + at];
+            for (sum, albedo) in sum.iter_mut().zip(parts.samples[at].albedo) {
+                // What is no number is not above 0.
+                let albedo = if albedo > 0.0 { albedo.min(1.0) } else { 0.0 };
+                *sum += value * albedo / PATCH_SAMPLES as f32;
+            }
+        }
+        sum
+    };
+    let patches = 0..all / PATCH_SAMPLES;
+    patches
+        .flat_map(|patch| (0..count).map(move |i| (patch, i)))
+        .map(|(patch, i)| mean(patch, i))
+        .collect()
+}
+
+/// What weights are found with, of functions at all samples: (ΨᵀΨ)⁻¹ Ψᵀ at the points. Where points do not tell two functions
+/// apart, neither gets more than its share.
+pub(super) fn dual(values: &[f32], count: usize, samples: usize) -> Option<Vec<f32>> {
+    let at = |i: usize, point: usize| f64::from(values[i * samples + point * PATCH_SAMPLES]);
+    let points = samples / PATCH_SAMPLES;
+    let dot = |i: usize, j: usize| (0..points).map(|p| at(i, p) * at(j, p)).sum::<f64>();
+    let mut square: Vec<Vec<f64>> = (0..count)
+        .map(|i| (0..count).map(|j| dot(i, j)).collect())
+        .collect();
+    for (i, row) in square.iter_mut().enumerate() {
+        row[i] += 1e-6 * points as f64;
+    }
+    let mut sides: Vec<Vec<f64>> = (0..count)
+        .map(|i| (0..points).map(|p| at(i, p)).collect())
+        .collect();
+    // Gauss without pivots: the matrix is symmetric, and positive by what was added.
+    for i in 0..count {
+        let pivot = square[i][i];
+        if pivot.is_nan() || pivot <= 0.0 {
+            return None;
+        }
+        let (row, side) = (square[i].clone(), sides[i].clone());
+        for j in (0..count).filter(|j| *j != i) {
+            let factor = square[j][i] / pivot;
+            for (x, own) in square[j].iter_mut().zip(&row) {
+                *x -= factor * own;
+            }
+            for (x, own) in sides[j].iter_mut().zip(&side) {
+                *x -= factor * own;
+            }
+        }
+    }
+    let solved = sides.iter().zip(square.iter().enumerate());
+    let rows = solved.flat_map(|(side, (i, row))| side.iter().map(move |x| (x / row[i]) as f32));
+    Some(rows.collect())
+}

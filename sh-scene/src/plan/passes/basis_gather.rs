@@ -1,0 +1,63 @@
+//! The light that patches have sent on.
+
+use super::basis_update::not_asked;
+use crate::plan::resource::{BASES, BLOCKERS, PATCH_LIGHT, RADIANCE, RECEIVERS, SENT};
+use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
+
+/// Light by way of patches, added to radiance; kept apart from it at half resolution, where shadows are interpolated as a
+/// share of their light, and for a caller's own receivers.
+pub static BASIS_GATHER: Pass = Pass {
+    name: "basis_gather",
+    slots: |at| {
+        let sent = match at {
+            Domain::Points | Domain::Patches | Domain::Halves | Domain::Receivers => {
+                Slot::add(SENT)
+            }
+            _ => Slot::modify(RADIANCE),
+        };
+        let light = match at {
+            Domain::Points | Domain::Patches => Slot::read_before(PATCH_LIGHT),
+            _ => Slot::read(PATCH_LIGHT),
+        };
+        vec![
+            Slot::read(RECEIVERS),
+            Slot::read(BLOCKERS),
+            Slot::read(BASES).named(&["bodies", "patches", "regions"]),
+            light.of(Domain::Patches),
+            sent,
+        ]
+    },
+    wanted: |facts| {
+        if facts.patched.is_err() {
+            return not_asked(facts.patched);
+        }
+        let reason = "Bodies light each other and the ground; of each patch is seen what its own body and the discs of nearer spheres leave of it.";
+        let mut runs = Vec::new();
+        if facts.bounces() > 1 {
+            let more =
+                "What patches send falls on the surfaces of other bodies, to be sent on again.";
+            let points = facts.lit_points().into_iter();
+            runs.extend(points.map(|at| Run::in_turns(at, 1..facts.bounces(), more)));
+        }
+        if facts.half {
+            let rest = "Edges and small folds gather what bodies send by themselves.";
+            runs.push(Run::once(Domain::Halves, reason));
+            runs.push(Run::once(Domain::Rest, rest));
+        } else {
+            runs.push(Run::once(facts.finest(), reason));
+        }
+        Ok(runs)
+    },
+    entries: |facts| {
+        // Points of patches have what their own body gives them in their weights.
+        let own = [true, false]
+            .into_iter()
+            .take(facts.bounces().min(2) as usize);
+        let entry = || Entry::new("basis_gather", "gather", Orders::Light);
+        own.map(|own| entry().with(&[("OWN_LIGHT", own)])).collect()
+    },
+    cost: |units| Cost {
+        multiply_adds: units.patches,
+        nanoseconds: 0.0,
+    },
+};
