@@ -108,7 +108,9 @@ pub fn run(options: &Options) -> Result<String, Error> {
             .scenes
             .push(tables::row(case.name, &scene, &sight, Source::Projected)?);
         if let Some(folder) = &options.out {
-            sheets::write(folder, case, &scene, &sight, options)?;
+            for scene in [&scene, &tables::patched(&scene)] {
+                sheets::write(folder, case, scene, &sight, options)?;
+            }
         }
         finished();
     }

@@ -21,14 +21,16 @@ pub(super) fn tables(report: &Report) -> String {
         if rows.is_empty() {
             continue;
         }
-        let header = "light, in parts of its mean there | indirect light on the ground | by equation 23 | on bodies | by equation 23 | direct light on the ground | on bodies";
+        let header = "light, in parts of its mean there | indirect light on the ground | by equation 23 | by patches | on bodies | by equation 23 | by patches | direct light on the ground | on bodies";
         let rows = rows.iter().map(|r| {
             let [ground, bodies] = r.direct_places;
             let figures = [
                 r.ground,
                 r.runs_ground,
+                r.patches_ground,
                 r.bodies,
                 r.runs_bodies,
+                r.patches_bodies,
                 ground,
                 bodies,
             ];
@@ -65,16 +67,18 @@ pub(super) fn tables(report: &Report) -> String {
 
 fn scenes(rows: &[Row]) -> String {
     let header = "scene | spheres | order | truth's light | direct | indirect | of the mean indirect | bias of it | \
-                  its noise | by equation 23 | bias of that | share of indirect light";
+                  its noise | by equation 23 | bias of that | by patches | bias of that | share of indirect light";
     let rows = rows.iter().map(|r| {
         let head = format!("{} | {} | {} | {}", r.name, r.spheres, r.order, r.light);
         let figures = [r.direct, r.indirect, r.relative].map(percent).join(" | ");
         format!(
-            "{head} | {figures} | {:+.1} % | {} | {} | {:+.1} % | {}",
+            "{head} | {figures} | {:+.1} % | {} | {} | {:+.1} % | {} | {:+.1} % | {}",
             100.0 * r.relative_bias,
             percent(r.relative_noise),
             percent(r.runs),
             100.0 * r.runs_bias,
+            percent(r.patches[0]),
+            100.0 * r.patches[1],
             percent(r.share),
         )
     });

@@ -7,10 +7,10 @@ use gaunt::Error;
 use gaunt::compare::pictures::Pictures;
 use gaunt::compare::{balls, sheet};
 use gaunt::image::{Output, exposure};
-use sh_scene::Scene;
+use sh_scene::{Method, Scene};
 use std::path::Path;
 
-/// Writes the sheet of a scene into a folder.
+/// Writes the sheet of a scene into a folder, by its method: that of patches beside that of spheres.
 pub(super) fn write(
     folder: &Path,
     case: &Case,
@@ -18,7 +18,11 @@ pub(super) fn write(
     sight: &Sight,
     options: &Options,
 ) -> Result<(), Error> {
-    let file = folder.join(format!("{}.png", case.name));
+    let by = match scene.settings.indirect.unwrap_or_default().method {
+        Method::SphericalLights => "",
+        Method::BasisIrradiance => "-patches",
+    };
+    let file = folder.join(format!("{}{by}.png", case.name));
     let output = Output::create(&file)?;
     let light = scene.light()?;
     let ours = sight.ours(scene)?;

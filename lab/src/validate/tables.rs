@@ -6,10 +6,11 @@ use gaunt::Error;
 use gaunt::compare::Figures;
 use glam::Vec3;
 use serde::Serialize;
-use sh_bake::shapes;
+use sh_bake::{irradiance_basis, shapes};
 use sh_reference::paths::Source;
-use sh_scene::{Blocking, Indirect, Mesh, Object, Scene, SurfaceSamples};
+use sh_scene::{Blocking, Indirect, Mesh, Method, Object, Scene, SurfaceSamples};
 use std::f32::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
 
 /// Errors of one way to light a scene; `relative` ones in parts of the mean indirect light, others of the mean radiance.
 #[derive(Clone, Debug, Serialize)]
@@ -48,6 +49,12 @@ pub struct Row {
     pub runs_ground: [f64; 2],
     /// By equation 23, on bodies.
     pub runs_bodies: [f64; 2],
+    /// RMS and bias of indirect light by patches whose irradiance is told in 16 functions, relative.
+    pub patches: [f64; 2],
+    /// The same on the ground, in parts of its mean there.
+    pub patches_ground: [f64; 2],
+    /// The same on bodies.
+    pub patches_bodies: [f64; 2],
 }
 
 /// What is known of the light on the ground around a body when the body is replaced step by step; relative RMS.
@@ -73,16 +80,43 @@ fn blocked(scene: &Scene, blocking: Blocking) -> Scene {
     scene
 }
 
+/// A scene whose bodies send light by their patches.
+pub(super) fn patched(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    scene.settings.indirect = Some(Indirect {
+        method: Method::BasisIrradiance,
+        ..Indirect::default()
+    });
+    for object in &mut scene.objects {
+        object.surface = SurfaceSamples::default();
+        let parts = [(&object.mesh, &object.material)];
+        object.basis = irradiance_basis(&parts, FUNCTIONS, &|_| {}).map(Arc::new);
+    }
+    scene
+}
+
+/// Functions a body.
+const FUNCTIONS: usize = 16;
+
 /// The row of a scene seen.
 pub(super) fn row(name: &str, scene: &Scene, sight: &Sight, light: Source) -> Result<Row, Error> {
     let errors = sight.errors(&sight.ours(scene)?.parts);
     let runs = sight.ours(&blocked(scene, Blocking::Runs))?;
-    Ok(with(name, scene, light, errors, sight.errors(&runs.parts)))
+    let patches = sight.ours(&patched(scene))?;
+    let others = [runs, patches].map(|ours| sight.errors(&ours.parts));
+    Ok(with(name, scene, light, errors, others))
 }
 
-fn with(name: &str, scene: &Scene, light: Source, discs: Errors, runs: Errors) -> Row {
-    let [[ground, bodies], [runs_ground, runs_bodies]] =
-        [&discs, &runs].map(|errors| errors.places.map(|figures| [figures.rms, figures.bias]));
+fn with(
+    name: &str,
+    scene: &Scene,
+    light: Source,
+    discs: Errors,
+    [runs, patches]: [Errors; 2],
+) -> Row {
+    let places = |errors: &Errors| errors.places.map(|figures| [figures.rms, figures.bias]);
+    let [[ground, bodies], [runs_ground, runs_bodies]] = [&discs, &runs].map(places);
+    let [patches_ground, patches_bodies] = places(&patches);
     Row {
         name: name.into(),
         spheres: scene.objects.iter().map(|o| o.spheres.len()).sum(),
@@ -106,6 +140,9 @@ fn with(name: &str, scene: &Scene, light: Source, discs: Errors, runs: Errors) -
         bodies,
         runs_ground,
         runs_bodies,
+        patches: patches.relative,
+        patches_ground,
+        patches_bodies,
     }
 }
 
