@@ -118,12 +118,9 @@ fn a_closed_room_gives_itself_all_that_it_has() {
     for _ in 0..8 {
         weights = basis.weights(&basis.bounced(&weights));
     }
-    let told = (0..basis.samples().len()).map(|sample| basis.irradiance(&weights, sample)[0]);
-    let mean = told.clone().sum::<f32>() / basis.samples().len() as f32;
-    assert!((mean - 1.0).abs() < 0.012, "{mean}");
-    // In rounded corners normals are not those of the triangles, and some rays go into the surface that they come from.
-    for (sample, r) in told.enumerate() {
-        assert!((r - 1.0).abs() < 0.1, "{sample}: {r}");
+    for sample in 0..basis.samples().len() {
+        let [r, ..] = basis.irradiance(&weights, sample);
+        assert!((r - 1.0).abs() < 1e-3, "{sample}: {r}");
     }
     let gray = Material {
         albedo: [0.5, 0.25, 0.0],

@@ -121,8 +121,8 @@ impl IrradianceBasis {
             + self.shape.bytes()
     }
 
-    /// The weights of irradiance that is told at [all points](Self::points): the best, by least squares. What the functions
-    /// can tell they tell exactly.
+    /// The weights of irradiance that is told at [all points](Self::points): the best, by least squares. Even light is
+    /// told exactly, other light that the functions can tell to a thousandth.
     ///
     /// Cost: a multiply-add a point, function and channel.
     pub fn weights(&self, irradiance: &[[f32; 3]]) -> Vec<[f32; 3]> {

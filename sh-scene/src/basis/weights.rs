@@ -39,6 +39,9 @@ pub(super) fn sends(parts: &BasisParts, count: usize) -> Vec<[f32; 3]> {
         .collect()
 }
 
+/// How dear weights are, over what they tell: what points tell apart loses a thousandth by it, what they do not stays small.
+const STIFF: f64 = 1e-3;
+
 /// What weights are found with, of functions at all samples: (ΨᵀΨ)⁻¹ Ψᵀ at the points. Where points do not tell two functions
 /// apart, neither gets more than its share.
 pub(super) fn dual(values: &[f32], count: usize, samples: usize) -> Option<Vec<f32>> {
@@ -48,8 +51,9 @@ pub(super) fn dual(values: &[f32], count: usize, samples: usize) -> Option<Vec<f
     let mut square: Vec<Vec<f64>> = (0..count)
         .map(|i| (0..count).map(|j| dot(i, j)).collect())
         .collect();
-    for (i, row) in square.iter_mut().enumerate() {
-        row[i] += 1e-6 * points as f64;
+    // The constant is always told apart: even light is its weight alone, to the last bit.
+    for (i, row) in square.iter_mut().enumerate().skip(1) {
+        row[i] += STIFF * points as f64;
     }
     let mut sides: Vec<Vec<f64>> = (0..count)
         .map(|i| (0..points).map(|p| at(i, p)).collect())
