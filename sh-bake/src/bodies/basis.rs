@@ -122,8 +122,8 @@ impl Baked for Kept {
     const VERSION: u32 = BASIS_VERSION;
     const MOST: u64 = 1 << 25;
 
-    /// How many functions, samples and patches there are and what patches get of how many functions, the area of a sample, and everything else in the order of its
-    /// declaration; nothing of a body of which nothing can be lit.
+    /// How many functions, samples, patches and pairs of a patch with what its body gives it there are, the area of a sample,
+    /// and everything else; nothing of a body of which nothing can be lit.
     fn encoded(&self) -> Vec<u8> {
         let Some(basis) = &self.0 else {
             return Vec::new();

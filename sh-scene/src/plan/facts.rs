@@ -1,7 +1,7 @@
 //! What of a scene decides about its passes.
 
 use super::passes::SHADOW;
-use super::{Domain, LeftOut, Resource};
+use super::{Domain, LeftOut, Resource, Run};
 use crate::{BasisBody, Method, Object, Scene, Settings};
 
 /// What of a scene and its settings decides about passes and shaders.
@@ -86,6 +86,26 @@ impl<'a> Facts<'a> {
         all.into_iter()
             .filter(|(_, any)| *any)
             .map(|(at, _)| at)
+            .collect()
+    }
+
+    /// Runs of a pass over what is seen: at half resolution and over the rest, or over the finest.
+    pub(super) fn seen(&self, reason: impl Into<String>, rest: &str) -> Vec<Run> {
+        match self.half {
+            true => vec![
+                Run::once(Domain::Halves, reason),
+                Run::once(Domain::Rest, rest),
+            ],
+            false => vec![Run::once(self.finest(), reason)],
+        }
+    }
+
+    /// Runs of a pass over all points of bodies in the turns of further bounces.
+    pub(super) fn bounced(&self, reason: &str) -> Vec<Run> {
+        let turns = 1..self.bounces();
+        let points = self.lit_points().into_iter().filter(|_| !turns.is_empty());
+        points
+            .map(|at| Run::in_turns(at, turns.clone(), reason))
             .collect()
     }
 
@@ -194,8 +214,8 @@ fn senders(scene: &Scene) -> Result<usize, &'static str> {
     Ok(lights)
 }
 
-/// How many bodies send light on by their patches, in a scene that asks for it and has something that can see them; or why
-/// none does, in no words where nobody asked for it.
+/// How many bodies send light on by their patches, in a scene that asks for it; or why none does, in no words where nobody
+/// asked for it.
 fn patched(scene: &Scene) -> Result<usize, &'static str> {
     let indirect = scene.settings.indirect;
     if indirect.map(|indirect| indirect.method) != Some(Method::BasisIrradiance) {

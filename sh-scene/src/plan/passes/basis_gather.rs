@@ -2,7 +2,7 @@
 
 use super::basis_update::not_asked;
 use crate::plan::resource::{BASES, BLOCKERS, PATCH_LIGHT, RADIANCE, RECEIVERS, SENT};
-use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
+use crate::plan::{Cost, Domain, Entry, Orders, Pass, Slot};
 
 /// Light by way of patches, added to radiance; kept apart from it at half resolution, where shadows are interpolated as a
 /// share of their light, and for a caller's own receivers.
@@ -32,20 +32,11 @@ pub static BASIS_GATHER: Pass = Pass {
             return not_asked(facts.patched);
         }
         let reason = "Bodies light each other and the ground; of each patch is seen what its own body and the discs of nearer spheres leave of it.";
-        let mut runs = Vec::new();
-        if facts.bounces() > 1 {
-            let more =
-                "What patches send falls on the surfaces of other bodies, to be sent on again.";
-            let points = facts.lit_points().into_iter();
-            runs.extend(points.map(|at| Run::in_turns(at, 1..facts.bounces(), more)));
-        }
-        if facts.half {
-            let rest = "Edges and small folds gather what bodies send by themselves.";
-            runs.push(Run::once(Domain::Halves, reason));
-            runs.push(Run::once(Domain::Rest, rest));
-        } else {
-            runs.push(Run::once(facts.finest(), reason));
-        }
+        let mut runs = facts.bounced(
+            "What patches send falls on the surfaces of other bodies, to be sent on again.",
+        );
+        let rest = "Edges and small folds gather what bodies send by themselves.";
+        runs.extend(facts.seen(reason, rest));
         Ok(runs)
     },
     entries: |facts| {

@@ -2,7 +2,7 @@
 
 use crate::Blocking;
 use crate::plan::resource::{BLOCKERS, EMISSION, RADIANCE, RECEIVERS, SENT};
-use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
+use crate::plan::{Cost, Domain, Entry, Orders, Pass, Slot};
 
 /// Light by way of spheres, added to radiance; kept apart from it at half resolution, where shadows are interpolated as a
 /// share of their light, and for a caller's own receivers.
@@ -41,19 +41,10 @@ pub static LIGHT_GATHER: Pass = Pass {
             Blocking::Object => "bodies hide each other as a whole",
         };
         let reason = format!("Bodies light each other and the ground; {hides}.");
-        let mut runs = Vec::new();
-        if facts.bounces() > 1 {
-            let more = "What spheres send falls on the surfaces of others, to be sent on again.";
-            let points = facts.lit_points().into_iter();
-            runs.extend(points.map(|at| Run::in_turns(at, 1..facts.bounces(), more)));
-        }
-        if facts.half {
-            let rest = "Edges and small folds gather what bodies send by themselves.";
-            runs.push(Run::once(Domain::Halves, reason));
-            runs.push(Run::once(Domain::Rest, rest));
-        } else {
-            runs.push(Run::once(facts.finest(), reason));
-        }
+        let mut runs = facts
+            .bounced("What spheres send falls on the surfaces of others, to be sent on again.");
+        let rest = "Edges and small folds gather what bodies send by themselves.";
+        runs.extend(facts.seen(reason, rest));
         Ok(runs)
     },
     entries: |facts| {

@@ -2,7 +2,7 @@
 
 use crate::plan::facts::counted;
 use crate::plan::resource::{BLOCKERS, LIGHT, RADIANCE, RECEIVERS};
-use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
+use crate::plan::{Cost, Entry, Orders, Pass, Run, Slot};
 
 /// Shadowed light.
 pub static SHADOW: Pass = Pass {
@@ -37,13 +37,8 @@ pub static SHADOW: Pass = Pass {
         };
         let light = facts.light();
         let reason = format!("{light} is cast into shadow by {spheres}{accumulated}.");
-        if facts.half {
-            let rest = "Edges and small folds, for which half resolution does not do, are shaded by themselves.";
-            runs.push(Run::once(Domain::Halves, reason));
-            runs.push(Run::once(Domain::Rest, rest));
-        } else {
-            runs.push(Run::once(facts.finest(), reason));
-        }
+        let rest = "Edges and small folds, for which half resolution does not do, are shaded by themselves.";
+        runs.extend(facts.seen(reason, rest));
         Ok(runs)
     },
     entries: |facts| {
