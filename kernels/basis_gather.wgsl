@@ -8,6 +8,7 @@
 #import shared/invocation
 #import shared/scan
 #import shared/bounds
+#import shared/clusters
 #import shared/blocker
 #import shared/light
 #import shared/patches
@@ -40,11 +41,7 @@ fn gather(
 ) {
     let range = cluster_range(workgroup.z * workgroups.y + workgroup.y);
     let at = workgroup.x * WORKGROUP + lane;
-    var receiver = Receiver();
-    if (at < range.y) {
-        receiver = receivers[range.x + at];
-        receiver.covered = min(receiver.covered, 1u);
-    }
+    let receiver = receiver_at(range, at);
     sum_up_to(lane, receiver.covered);
     if (workgroupUniformLoad(&sums[WORKGROUP - 1u]) == 0u) {
         return;
@@ -71,13 +68,4 @@ fn gather(
         }
     }
     radiance[range.x + at] += vec4f(bounded(sent, brightest), 0.0);
-}
-
-// First receiver of a cluster and how many there are.
-fn cluster_range(cluster: u32) -> vec2u {
-    if (cluster >= arrayLength(&clusters)) {
-        return vec2u(0u);
-    }
-    let first = min(clusters[cluster].x, arrayLength(&receivers));
-    return vec2u(first, min(clusters[cluster].y, arrayLength(&receivers) - first));
 }

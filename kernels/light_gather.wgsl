@@ -11,6 +11,7 @@
 #import shared/invocation
 #import shared/scan
 #import shared/bounds
+#import shared/clusters
 #import shared/cut
 #import shared/log_saturating
 #import shared/blocker
@@ -87,25 +88,6 @@ fn gather_sums(
         sent = sums_of_all(receiver, bounds, lane);
     }
     add(range.x + at, receiver, sent);
-}
-
-// First receiver of a cluster and how many there are.
-fn cluster_range(cluster: u32) -> vec2u {
-    if (cluster >= arrayLength(&clusters)) {
-        return vec2u(0u);
-    }
-    let first = min(clusters[cluster].x, arrayLength(&receivers));
-    return vec2u(first, min(clusters[cluster].y, arrayLength(&receivers) - first));
-}
-
-// A receiver of a cluster; one that is not covered beyond its end.
-fn receiver_at(range: vec2u, at: u32) -> Receiver {
-    var receiver = Receiver();
-    if (at < range.y) {
-        receiver = receivers[range.x + at];
-        receiver.covered = min(receiver.covered, 1u);
-    }
-    return receiver;
 }
 
 // No part of any surface sends on more than the brightest of all.
