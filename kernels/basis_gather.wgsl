@@ -20,8 +20,8 @@
 @group(0) @binding(1) var<storage, read> nodes: array<Node>;
 @group(0) @binding(2) var<storage, read> bodies: array<Basis>;
 @group(0) @binding(3) var<storage, read> patches: array<Patch>;
-// Centre and radius, body by body: as many as patches over REGION_PATCHES.
-@group(0) @binding(4) var<storage, read> regions: array<vec4f>;
+// Body by body: as many as patches over REGION_PATCHES.
+@group(0) @binding(4) var<storage, read> regions: array<Region>;
 // Of each body: what each patch sends on and what its body sends it, then coefficients of regions, then the brightest.
 @group(0) @binding(5) var<storage, read> light: array<vec4f>;
 @group(1) @binding(0) var<storage, read> receivers: array<Receiver>;

@@ -17,7 +17,30 @@ fn body_of(workgroup: vec3u, workgroups: vec3u) -> u32 {
     return workgroup.z * workgroups.y + workgroup.y;
 }
 
-// Of each patch: position and normal, object space.
+// Where a point of a body is among those of all: those come first that take light that bodies have sent.
+fn place_of(body: u32, point: u32) -> u32 {
+    let own = bodies[body];
+    if (point < own.few) {
+        return own.first_few + point;
+    }
+    let last = bodies[arrayLength(&bodies) - 1u];
+    return last.first_few + last.few + own.first - own.first_few + point - own.few;
+}
+
+// The patch of a point: of every few the first, then all others.
+fn patch_of(body: u32, point: u32) -> u32 {
+    let few = bodies[body].few;
+    if (few == bodies[body].patches) {
+        return point;
+    }
+    if (point < few) {
+        return point * FEWER;
+    }
+    let rest = point - few;
+    return rest / (FEWER - 1u) * FEWER + 1u + rest % (FEWER - 1u);
+}
+
+// Of each point, in the order in which they are lit: position and normal, object space.
 @group(1) @binding(0) var<storage, read> points: array<vec4f>;
 @group(1) @binding(1) var<storage, read_write> receivers: array<Receiver>;
 
@@ -37,10 +60,10 @@ fn place(
     let position = matrix * vec4f(points[2u * at].xyz, 1.0);
     let normal = (matrix * vec4f(points[2u * at + 1u].xyz, 0.0)).xyz;
     let scale = bodies[body].scale;
-    receivers[at] = Receiver(position.xyz, 1u, normal / max(scale, NEAREST), bodies[body].object);
+    receivers[place_of(body, own)] = Receiver(position.xyz, 1u, normal / max(scale, NEAREST), bodies[body].object);
 }
 
-// Of each function at all points, body by body.
+// Of each function at all patches, and then at the few, body by body.
 @group(1) @binding(0) var<storage, read> duals: array<f32>;
 @group(1) @binding(1) var<storage, read> radiance: array<vec4f>;
 @group(1) @binding(2) var<storage, read> gathered: array<vec4f>;
@@ -62,9 +85,13 @@ fn weigh(
     let own = bodies[body];
     var sum = vec3f(0.0);
     for (var k = 0u; k < own.patches; k += 1u) {
-        let at = own.first + k;
-        let fallen = radiance[at].rgb + gathered[at].rgb + before[own.light + 2u * k + 1u].rgb;
-        sum += duals[own.duals + lane * own.patches + k] * fallen;
+        let at = patch_of(body, k);
+        let itself = before[own.light + 2u * at + 1u].rgb;
+        sum += duals[own.duals + lane * own.patches + at] * (radiance[place_of(body, k)].rgb + itself);
+    }
+    let others = own.duals + own.functions * own.patches;
+    for (var k = 0u; k < own.few; k += 1u) {
+        sum += duals[others + lane * own.few + k] * gathered[own.first_few + k].rgb;
     }
     weights[own.weights + lane] = vec4f(sum, 0.0);
 }

@@ -269,6 +269,17 @@ const PATCH: &[Constant] = &[
         doc: "Patches of a region, which stands for them from afar.",
     },
     Constant {
+        name: "QUARTERS",
+        value: Count(4),
+        doc: "Parts of a region that are one disc each where their patches are flat together.",
+    },
+    Constant {
+        name: "FEWER",
+        value: Count(4),
+        doc: "Of so many points of a body's patches one takes the light that bodies have sent, which varies less than what comes from \
+              lights.",
+    },
+    Constant {
         name: "REFINED",
         value: Double(3.0),
         doc: "Nearer to the centre of a region than so many of its radii its patches count in its place.",
@@ -281,13 +292,25 @@ const PATCH: &[Constant] = &[
     },
     Constant {
         name: "SPLIT",
-        value: Double(4.0),
-        doc: "Nearer to the centre of a patch than so many roots of its area its parts count in its place.",
+        value: Double(2.0),
+        doc: "Nearer to the centre of a disc than so many roots of its area its parts count in its place. What a disc gives from there \
+              on is right to the fourth power of its radius over the distance, .6 %.",
     },
     Constant {
         name: "JOINED",
-        value: Double(5.0),
-        doc: "Farther away than so many roots of its area a patch counts as a whole.",
+        value: Double(2.6),
+        doc: "Farther away than so many roots of its area a disc counts as a whole.",
+    },
+    Constant {
+        name: "WITHIN",
+        value: Double(6.0),
+        doc: "A receiver takes of what its body gives itself what is told no farther away than so many roots of a patch's area.",
+    },
+    Constant {
+        name: "ASKEW",
+        value: Double(0.05),
+        doc: "What a patch counts among these that faces another way than the receiver, over one that faces the same way: where \
+              no other is near it is what there is.",
     },
     Constant {
         name: "LIFTED",

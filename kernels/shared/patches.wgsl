@@ -61,10 +61,29 @@ struct Hidden {
     direction: vec3f,
     sine: f32,
     cosine: f32,
+    // One over the sine.
+    steep: f32,
     // How far its middle is.
     far: f32,
     // One over twice its radius.
     inverse: f32,
+}
+
+// The disc in the sky that something is taken for.
+struct Cone {
+    direction: vec3f,
+    far: f32,
+    sine: f32,
+    cosine: f32,
+    steep: f32,
+}
+
+// That of a disc in this unit direction, so far away, of this area over PI.
+fn cone_of(direction: vec3f, square: f32, far: f32, area: f32) -> Cone {
+    let whole = square + area;
+    let inverse = sqrt(1.0 / whole);
+    let root = sqrt(area);
+    return Cone(direction, far, inverse * root, inverse * far, whole * inverse / root);
 }
 
 // Spheres that are kept while patches are gone through; what is beyond is looked at anew for each.
@@ -91,7 +110,8 @@ fn see_hidden(receiver: Receiver, body: u32, at: u32) -> Hidden {
     let scale = bodies[body].scale;
     let direction = (bodies[body].object_from_world * vec4f(seen.direction, 0.0)).xyz * scale;
     let cosine = sqrt(max(1.0 - seen.sine * seen.sine, 0.0));
-    return Hidden(direction, seen.sine, cosine, length(away) / scale, 0.5 / max(ball.w / scale, NEAREST));
+    let steep = 1.0 / max(seen.sine, NEAREST);
+    return Hidden(direction, seen.sine, cosine, steep, length(away) / scale, 0.5 / max(ball.w / scale, NEAREST));
 }
 
 // Whether a sphere may hide a part of a body from some receiver of the cluster.
@@ -103,19 +123,18 @@ fn may_hide(at: u32, body: u32, bounds: vec4f) -> bool {
     return distance(balls[at].xyz, bounds.xyz) - balls[at].w <= far + 2.0 * bounds.w;
 }
 
-// What a sphere leaves of a disc in a direction, so far away, of so large an angular radius.
-fn left_by(other: Hidden, direction: vec3f, far: f32, sine: f32) -> f32 {
-    let cosine = sqrt(max(1.0 - sine * sine, 0.0));
-    let across = other.sine * sine;
+// What a sphere leaves of a disc in the sky.
+fn left_by(other: Hidden, cone: Cone) -> f32 {
     // From cos (a + b), where the discs touch, to cos (a - b), where one lies in the other.
-    let over = dot(direction, other.direction) - (other.cosine * cosine - across);
+    let across = other.sine * cone.sine;
+    let over = dot(cone.direction, other.direction) - (other.cosine * cone.cosine - across);
     if (over <= 0.0) {
         return 1.0;
     }
-    let x = clamp(over / max(2.0 * across, NEAREST), 0.0, 1.0);
-    let size = min(other.sine * other.sine / max(sine * sine, NEAREST), 1.0);
-    let before = clamp(0.5 + (far - other.far) * other.inverse, 0.0, 1.0);
-    return 1.0 - x * x * (3.0 - 2.0 * x) * size * before;
+    let x = clamp(over * other.steep * cone.steep * 0.5, 0.0, 1.0);
+    let size = min(other.sine * cone.steep, 1.0);
+    let before = clamp(0.5 + (cone.far - other.far) * other.inverse, 0.0, 1.0);
+    return 1.0 - x * x * (3.0 - 2.0 * x) * size * size * before;
 }
 
 // What a body sends to a receiver of another.
@@ -141,74 +160,145 @@ fn sent_by(receiver: Receiver, body: u32, count: u32, bounds: vec4f) -> vec3f {
     var sum = vec3f(0.0);
     let first = own.first / REGION_PATCHES;
     for (var r = 0u; r < own.patches / REGION_PATCHES; r += 1u) {
-        let region = regions[first + r];
-        let away = region.xyz - local.position;
-        let square = max(dot(away, away), NEAREST);
-        let far = sqrt(square);
-        let whole = clamp((far / max(region.w, NEAREST) - REFINED) / (ENTIRE - REFINED), 0.0, 1.0);
-        let direction = away / far;
-        let facing = max(dot(direction, local.normal), 0.0) * whole;
-        if (facing > 0.0) {
-            let sine = min(region.w / far, 1.0);
+        let center = regions[first + r].center;
+        let radius = max(regions[first + r].radius, NEAREST);
+        let flat = regions[first + r].whole.disc.area > 0.0;
+        // How much of it a receiver that faces it gets of what it sends that way, as a disc or by its intensity.
+        var whole: f32;
+        var open: f32;
+        var cone: Cone;
+        if (flat) {
+            let disc = regions[first + r].whole.disc;
+            let seen = seen_disc(disc, local);
+            whole = seen.whole;
+            open = seen.open * whole;
+            cone = cone_of(seen.away / seen.far, seen.square, seen.far, disc.area / PI);
+        } else {
+            let away = center - local.position;
+            let square = max(dot(away, away), NEAREST);
+            let far = sqrt(square);
+            whole = clamp((far / radius - REFINED) / (ENTIRE - REFINED), 0.0, 1.0);
+            open = max(dot(away / far, local.normal), 0.0) * whole / (square * PI);
+            cone = cone_of(away / far, square, far, radius * radius);
+        }
+        if (open > 0.0) {
             var left = 1.0;
             for (var i = 0u; i < hiders; i += 1u) {
                 if (i < HELD) {
-                    left *= left_by(kept[i], direction, far, sine);
+                    left *= left_by(kept[i], cone);
                 } else {
-                    left *= left_by(see_hidden(receiver, body, hiding[i]), direction, far, sine);
+                    left *= left_by(see_hidden(receiver, body, hiding[i]), cone);
                 }
             }
-            let basis = sh$N_basis(-direction);
-            var intensity = vec3f(0.0);
-            let start = own.light + 2u * own.patches + r * $Cu;
-            for (var k = 0u; k < $Cu; k += 1u) {
-                intensity += basis[k] * light[start + k].rgb;
+            var sent = vec3f(0.0);
+            if (flat) {
+                for (var m = r * REGION_PATCHES; m < (r + 1u) * REGION_PATCHES; m += 1u) {
+                    sent += light[own.light + 2u * m].rgb / f32(REGION_PATCHES);
+                }
+                sent *= escape(regions[first + r].whole.escape, -cone.direction);
+            } else {
+                let basis = sh$N_basis(-cone.direction);
+                let start = own.light + 2u * own.patches + r * $Cu;
+                for (var k = 0u; k < $Cu; k += 1u) {
+                    sent += basis[k] * light[start + k].rgb;
+                }
             }
-            sum += facing * left / (square * PI) * max(intensity, vec3f(0.0));
+            sum += open * left * max(sent, vec3f(0.0));
         }
         if (whole >= 1.0) {
             continue;
         }
-        for (var m = r * REGION_PATCHES; m < (r + 1u) * REGION_PATCHES; m += 1u) {
-            let at = own.first + m;
-            let disc = patches[at].whole;
-            if (disc.area <= 0.0) {
-                continue;
-            }
-            let away = lifted(disc, local);
-            let square = dot(away, away);
-            let far = sqrt(square);
-            // Whether it counts as a whole.
-            let joined = clamp((far / sqrt(disc.area) - SPLIT) / (JOINED - SPLIT), 0.0, 1.0);
-            var open = given(disc, local) * joined;
-            if (joined < 1.0) {
-                var parts = 0.0;
-                for (var k = 0u; k < PATCH_SAMPLES; k += 1u) {
-                    if (patches[at].discs[k].area > 0.0) {
-                        parts += given(patches[at].discs[k], local);
+        for (var quarter = 0u; quarter < QUARTERS; quarter += 1u) {
+            let start = r * REGION_PATCHES + quarter * QUARTER;
+            var near = 1.0 - whole;
+            // One after another: the quarter as a whole, and each of its patches.
+            for (var k = 0u; k <= QUARTER; k += 1u) {
+                let at = own.first + start + k - 1u;
+                var facet = regions[first + r].quarters[quarter];
+                if (k > 0u) {
+                    facet = patches[at].whole;
+                }
+                if (facet.disc.area <= 0.0) {
+                    continue;
+                }
+                let seen = seen_disc(facet.disc, local);
+                var open = seen.open * seen.whole;
+                var cone: Cone;
+                var radiance = vec3f(0.0);
+                if (k == 0u) {
+                    open *= near;
+                    near *= 1.0 - seen.whole;
+                    cone = cone_of(seen.away / seen.far, seen.square, seen.far, facet.disc.area / PI);
+                    for (var m = start; m < start + QUARTER; m += 1u) {
+                        radiance += light[own.light + 2u * m].rgb / f32(QUARTER);
                     }
-                }
-                open += (1.0 - joined) * parts;
-            }
-            open *= 1.0 - whole;
-            if (open <= 0.0) {
-                continue;
-            }
-            let direction = away / far;
-            let area = disc.area / PI;
-            let sine = sqrt(area / (area + square));
-            var left = escape(at, -direction);
-            for (var i = 0u; i < hiders; i += 1u) {
-                if (i < HELD) {
-                    left *= left_by(kept[i], direction, far, sine);
                 } else {
-                    left *= left_by(see_hidden(receiver, body, hiding[i]), direction, far, sine);
+                    if (seen.whole < 1.0) {
+                        var parts = 0.0;
+                        for (var p = 0u; p < PATCH_SAMPLES; p += 1u) {
+                            if (patches[at].discs[p].area > 0.0) {
+                                parts += given(patches[at].discs[p], local);
+                            }
+                        }
+                        open += (1.0 - seen.whole) * parts;
+                    }
+                    open *= near;
+                    let away = lifted(facet.disc, local);
+                    let square = dot(away, away);
+                    let far = sqrt(square);
+                    cone = cone_of(away / far, square, far, facet.disc.area / PI);
+                    radiance = light[own.light + 2u * (start + k - 1u)].rgb;
+                }
+                if (open > 0.0) {
+                    var left = escape(facet.escape, -cone.direction);
+                    for (var i = 0u; i < hiders; i += 1u) {
+                        if (i < HELD) {
+                            left *= left_by(kept[i], cone);
+                        } else {
+                            left *= left_by(see_hidden(receiver, body, hiding[i]), cone);
+                        }
+                    }
+                    sum += open * left * radiance;
+                }
+                if (near <= 0.0) {
+                    break;
                 }
             }
-            sum += open * left * light[own.light + 2u * m].rgb;
         }
     }
     return sum;
+}
+
+// Patches of a quarter of a region.
+const QUARTER: u32 = REGION_PATCHES / QUARTERS;
+
+// A disc as a receiver sees it.
+struct SeenDisc {
+    away: vec3f,
+    square: f32,
+    far: f32,
+    // What it gives of its radiance to whoever is not next to it.
+    open: f32,
+    // Whether it counts as a whole: 0 nearby, 1 from afar.
+    whole: f32,
+}
+
+fn seen_disc(disc: Disc, local: Local) -> SeenDisc {
+    let away = disc.center - local.position;
+    let front = max(-dot(away, disc.normal), 0.0);
+    let above = dot(away, local.normal);
+    let square = max(dot(away, away), NEAREST);
+    let area = disc.area / PI;
+    let wide = square + area;
+    let inverse = 1.0 / (square * wide);
+    let size = area * wide * inverse;
+    let steep = front * front * wide * inverse;
+    let bent = size * (2.0 - 3.0 * steep);
+    let aside = size * front * dot(disc.normal, local.normal);
+    let open = max(above * bent + above - aside, 0.0) * front * inverse * area;
+    let far = sqrt(square);
+    let whole = clamp((far / sqrt(disc.area) - SPLIT) / (JOINED - SPLIT), 0.0, 1.0);
+    return SeenDisc(away, square, far, open, whole);
 }
 
 // How far a receiver lies in front of a disc's plane.
@@ -227,7 +317,7 @@ fn lifted(disc: Disc, local: Local) -> vec3f {
     return disc.center - local.position - (lifted_height(height, disc) - height) * disc.normal;
 }
 
-// What a disc gives of its radiance.
+// What a disc gives of its radiance to a receiver that is lifted.
 fn given(disc: Disc, local: Local) -> f32 {
     let height = height_over(disc, local);
     let away = lifted(disc, local);
@@ -237,11 +327,11 @@ fn given(disc: Disc, local: Local) -> f32 {
     return disc.area / PI * inverse * inverse * lifted_height(height, disc) * above * front;
 }
 
-// How much of a patch its own body leaves to be seen from a direction.
-fn escape(at: u32, u: vec3f) -> f32 {
-    let even = dot(patches[at].escape[1].xyz, u * u);
-    let mixed = dot(patches[at].escape[2].xyz, u * u.yzx);
-    return clamp(dot(patches[at].escape[0].xyz, u) + even + 2.0 * mixed, 0.0, 1.0);
+// How much of a part of it a body leaves to be seen from a direction.
+fn escape(told: array<vec4f, 3>, u: vec3f) -> f32 {
+    let even = dot(told[1].xyz, u * u);
+    let mixed = dot(told[2].xyz, u * u.yzx);
+    return clamp(dot(told[0].xyz, u) + even + 2.0 * mixed, 0.0, 1.0);
 }
 
 // What a body gives a receiver on it: what it gives its patches, by nearness.
@@ -251,10 +341,16 @@ fn itself(receiver: Receiver, body: u32) -> vec3f {
     var sum = vec3f(0.0);
     var all = NEAREST;
     for (var m = 0u; m < own.patches; m += 1u) {
-        let disc = patches[own.first + m].whole;
+        let disc = patches[own.first + m].whole.disc;
         let away = disc.center - local.position;
+        let square = dot(away, away);
+        let within = max(1.0 - square / max(WITHIN * WITHIN * disc.area, NEAREST), 0.0);
+        if (within <= 0.0) {
+            continue;
+        }
         let area = disc.area * 0.5;
-        let near = max(dot(disc.normal, local.normal), 0.0) * area / (dot(away, away) + area);
+        let facing = max(dot(disc.normal, local.normal), 0.0) + ASKEW;
+        let near = facing * area / (square + area) * within;
         all += near * near;
         sum += near * near * light[own.light + 2u * m + 1u].rgb;
     }

@@ -108,7 +108,9 @@ struct Basis {
     light: u32,
     // Whether it sends itself light.
     own: u32,
-    unused: vec2u,
+    // How many of its points take light that bodies have sent, and where they begin: those of all bodies come first.
+    few: u32,
+    first_few: u32,
 }
 
 // A flat part of a surface; sh_scene::basis::Disc.
@@ -120,10 +122,23 @@ struct Disc {
     unused: f32,
 }
 
-// A part of a body's surface, in the body's own space: as a disc, and, for who is near, as several; sh_scene::basis::Patch.
-struct Patch {
-    whole: Disc,
-    discs: array<Disc, PATCH_SAMPLES>,
-    // What of it is seen by direction: b; xx, yy, zz; xy, yz, zx.
+// A disc and what of it is seen by direction: b; xx, yy, zz; xy, yz, zx; sh_scene::basis::Facet.
+struct Facet {
+    disc: Disc,
     escape: array<vec4f, 3>,
+}
+
+// A part of a body's surface, in the body's own space: as a whole, and, for who is near, as several; sh_scene::basis::Patch.
+struct Patch {
+    whole: Facet,
+    discs: array<Disc, PATCH_SAMPLES>,
+}
+
+// Patches that lie together; sh_scene::basis::Region.
+struct Region {
+    center: vec3f,
+    radius: f32,
+    // These have no area where they are not flat.
+    whole: Facet,
+    quarters: array<Facet, QUARTERS>,
 }

@@ -7,7 +7,7 @@
 use gaunt::Error;
 use gaunt::image::Output;
 use gaunt::progress::Progress;
-use glam::{Affine3A, Vec3};
+use glam::Vec3;
 use rayon::prelude::*;
 use serde::Serialize;
 use sh_bake::{irradiance_basis, load_mesh, shapes};
@@ -15,7 +15,7 @@ use sh_core::Routines;
 use sh_reference::paths::{Options as Tracing, PathTracer};
 use sh_scene::{
     AreaLight, BasisSample, Camera, EnvironmentMap, IrradianceBasis, Material, Mesh, Object, Scene,
-    Settings, SurfaceSamples,
+    Settings,
 };
 use std::fmt::Write as _;
 use std::io::Write;
@@ -96,10 +96,7 @@ pub fn run(options: &Options) -> Result<String, Error> {
 type Named = (String, Vec<(Mesh, Material)>);
 
 fn made_by_code() -> Vec<Named> {
-    let white = Material {
-        albedo: [0.8; 3],
-        texture: None,
-    };
+    let white = Material::diffuse([0.8; 3]);
     let bodies = [
         ("ball", shapes::ball(0.6, 4)),
         (
@@ -202,12 +199,7 @@ fn traced(
         name: String::new(),
         mesh: mesh.clone(),
         material: material.clone(),
-        transform: Affine3A::IDENTITY,
-        spheres: Vec::new(),
-        weights: Vec::new(),
-        part_of: None,
-        basis: None,
-        surface: SurfaceSamples::default(),
+        ..Object::default()
     };
     // So bright that the lamp gives about 1 where it shines straight down.
     let radiance = (DISTANCE / RADIUS).powi(2);

@@ -18,5 +18,6 @@ pub mod accuracy;
 pub mod basis;
 pub mod bench;
 pub mod fit;
+pub mod rooms;
 pub mod spheres;
 pub mod validate;

@@ -108,8 +108,8 @@ struct Validate {
     reference: u32,
     /// Only these scenes and tables
     ///
-    /// Scenes are sphere, spheres, animal, bend-90, bend-180, box-1 and box-8; tables are counts, orders, bends, steps
-    /// and weights.
+    /// Scenes are sphere, spheres, lamp, animal, bend-90, bend-180, box-1 and box-8; tables are counts, orders, bends, steps
+    /// and weights; rooms, by patches, are plane, room and teapots, and ways is a table of these.
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     only: Vec<String>,
 }

@@ -44,16 +44,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             name: part.name.clone(),
             mesh: part.mesh.clone(),
             material: part.material.clone(),
-            transform: Affine3A::IDENTITY,
             spheres: if i == 0 { grown.clone() } else { Vec::new() },
-            weights: Vec::new(),
-            part_of: None,
-            basis: None,
             surface: if i == 0 {
                 surface.clone()
             } else {
                 SurfaceSamples::default()
             },
+            ..Object::default()
         };
         let scene = Scene {
             objects: model.parts.iter().enumerate().map(body).collect(),

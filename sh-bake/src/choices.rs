@@ -20,8 +20,11 @@ pub struct Choices<'a> {
 }
 
 impl Choices<'_> {
-    /// How many spheres a mesh gets for which the scene asks for `count`: 1 to 4096.
+    /// How many spheres a mesh gets for which the scene asks for `count`: 1 to 4096, or none if that is what it asks for.
     pub fn count(&self, count: usize) -> usize {
+        if count == 0 {
+            return 0;
+        }
         let scaled = (count as f32 * self.spheres).round() as usize;
         scaled.clamp(1, count.max(4096))
     }

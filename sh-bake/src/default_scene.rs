@@ -8,7 +8,7 @@ use crate::progress::Progress;
 use crate::shapes;
 use glam::{Affine3A, Quat, Vec3};
 use sh_scene::motion::Motion;
-use sh_scene::{Camera, Ground, Material, Mesh, Object, Scene, Settings, Sky, SurfaceSamples};
+use sh_scene::{Camera, Ground, Material, Mesh, Object, Scene, Settings, Sky};
 use std::f32::consts::{FRAC_PI_2, TAU};
 use std::time::Instant;
 
@@ -60,16 +60,10 @@ pub fn default_scene_with(
         let mut object = Object {
             name: name.into(),
             mesh,
-            material: Material {
-                albedo,
-                texture: None,
-            },
+            material: Material::diffuse(albedo),
             transform: Affine3A::from_quat(turn),
             spheres: fitted.what.spheres.clone(),
-            weights: Vec::new(),
-            part_of: None,
-            basis: None,
-            surface: SurfaceSamples::default(),
+            ..Object::default()
         };
         let lowest = object.bounds().map_or(0.0, |[low, _]| low.y);
         object.transform = Affine3A::from_rotation_translation(turn, place - Vec3::Y * lowest);

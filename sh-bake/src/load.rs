@@ -14,8 +14,9 @@ use crate::scene_file::SceneFile;
 use crate::spheres::{SphereSet, is_closed};
 use glam::Vec3;
 use sh_scene::motion::Motion;
-use sh_scene::{AreaLight, Camera, Ground, Mesh, Method, Object, Scene, Sky, SurfaceSamples};
+use sh_scene::{AreaLight, Camera, Ground, Mesh, Method, Object, Scene, Sky};
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -154,6 +155,7 @@ pub fn load_scene_with<'a>(
     let mut wanted: Vec<(&Path, usize)> = file
         .objects
         .iter()
+        .filter(|entry| entry.spheres > 0)
         .map(|entry| (entry.mesh.as_path(), entry.spheres))
         .collect();
     wanted.sort();
@@ -173,7 +175,8 @@ pub fn load_scene_with<'a>(
         ));
         sets.insert((mesh, count), fitted.what);
     }
-    for (mesh, model) in &models {
+    let blocking = |mesh: &Path| wanted.iter().any(|(of, _)| *of == mesh);
+    for (mesh, model) in models.iter().filter(|(mesh, _)| blocking(mesh)) {
         let parts: Vec<&Mesh> = model.parts.iter().map(|p| &p.mesh).collect();
         if !is_closed(&parts) {
             report.warnings.push(format!(
@@ -187,11 +190,13 @@ pub fn load_scene_with<'a>(
     // Bodies, and which of them bend.
     let (mut whole, mut bends) = (Vec::new(), Vec::new());
     let mut rigs = Rigs::default();
+    let no_spheres = SphereSet::none();
     for (entry, clip) in file.objects.iter().zip(clips) {
         let (first, mesh) = (objects.len(), entry.mesh.as_path());
         let model = &models[mesh];
         bends.push(clip.is_some() && model.figure.is_some());
-        let mut set: &SphereSet = &sets[&(mesh, entry.spheres)];
+        let set = sets.get(&(mesh, entry.spheres));
+        let mut set: &SphereSet = set.map_or(&no_spheres, |set| set);
         if let (Some(clip), Some(figure)) = (clip, &model.figure) {
             let moving = rigs.moving((mesh, entry.spheres, clip), model, figure, set)?;
             report.moves.push(moving.sentence.clone());
@@ -219,6 +224,14 @@ pub fn load_scene_with<'a>(
         report.bases = bodies::tell(&mut objects, &told, file.functions, cache, progress);
         report.basis_time = start.elapsed();
         let start = Instant::now();
+        let spheres = |body: &Range<usize>| !objects[body.start].spheres.is_empty();
+        let (sampled, silent): (Vec<_>, Vec<_>) = sampled.into_iter().partition(spheres);
+        for body in silent {
+            report.warnings.push(format!(
+                "{} has no spheres, so it sends no light on; with method = \"basis-irradiance\" and no clip it would.",
+                objects[body.start].name
+            ));
+        }
         report.surfaces = bodies::sample(&mut objects, &sampled, cache, progress);
         motion.add_surfaces(&objects);
         report.surface_time = start.elapsed();
@@ -244,6 +257,7 @@ pub fn load_scene_with<'a>(
         report,
     } = &mut loaded;
     let start = Instant::now();
+    whole.retain(|body| !scene.objects[body.start].spheres.is_empty());
     report.weights = bodies::weigh(scene, motion, &whole, cache, progress);
     report.weight_time = start.elapsed();
     Ok(loaded)
@@ -290,10 +304,8 @@ fn of_entry(entry: &ObjectEntry, model: &Model, set: &SphereSet, first: usize) -
             material,
             transform,
             spheres,
-            weights: Vec::new(),
             part_of: (i > 0).then_some(first),
-            basis: None,
-            surface: SurfaceSamples::default(),
+            ..Object::default()
         }
     };
     model.parts.iter().enumerate().map(body).collect()

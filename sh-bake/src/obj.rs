@@ -35,10 +35,7 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<RawPart, Error> {
         uvs: Vec::new(),
         colors: Vec::new(),
         triangles: Vec::new(),
-        material: Material {
-            albedo: WHITE,
-            texture: None,
-        },
+        material: Material::diffuse(WHITE),
         bind: None,
     };
     for model in &models {

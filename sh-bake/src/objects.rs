@@ -14,6 +14,7 @@ pub(crate) struct ObjectEntry {
     pub(crate) mesh: PathBuf,
     /// What lights call it, if not by its file's name.
     pub(crate) name: Option<String>,
+    /// Spheres that block light in its place, at most; 0: it blocks none.
     pub(crate) spheres: usize,
     pub(crate) place: Place,
     pub(crate) albedo: Option<[f32; 3]>,
@@ -54,6 +55,7 @@ impl ObjectEntry {
         let known = [
             "mesh",
             "name",
+            "blockers",
             "spheres",
             "translate",
             "rotate",
@@ -75,12 +77,29 @@ impl ObjectEntry {
         Ok(Self {
             mesh: beside(source.path, mesh),
             name: s.string("name")?.map(String::from),
-            spheres: s.count("spheres", 1..=4096)?.unwrap_or(SPHERES),
+            spheres: spheres(&s)?,
             place,
             albedo: albedo(&s)?,
             clip,
             keys: keys(&s, place)?,
         })
+    }
+}
+
+/// How many spheres block light in an object's place: none of a wall that all others stand before.
+fn spheres(s: &Section) -> Result<usize, Error> {
+    let count = s.count("spheres", 1..=4096)?;
+    match s.string("blockers")? {
+        None | Some("spheres") => Ok(count.unwrap_or(SPHERES)),
+        Some("none") if count.is_some() => Err(s.error(
+            "spheres",
+            "says how many block light in the object's place, but objects.blockers is \"none\".",
+        )),
+        Some("none") => Ok(0),
+        Some(other) => {
+            let message = format!("is \"{other}\", but it has to be \"spheres\" or \"none\".");
+            Err(s.error("blockers", message))
+        }
     }
 }
 

@@ -132,6 +132,28 @@ pub fn torus_knot(p: u32, q: u32, ring: f32, swing: f32, tube: f32) -> Mesh {
     outward(mesh)
 }
 
+/// A rectangle in the plane of X and Y about the origin that faces +Z, as a grid of so many cells: a wall, as it is seen from
+/// within a room.
+///
+/// ```
+/// let wall = sh_bake::shapes::panel([4.0, 3.0], [8, 6]);
+/// assert_eq!((wall.positions.len(), wall.triangles.len()), (63, 96));
+/// ```
+pub fn panel([width, height]: [f32; 2], cells: [u32; 2]) -> Mesh {
+    let [columns, rows] = cells.map(|count| count.max(1) + 1);
+    let along = |i: u32, count: u32, size: f32| size * (i as f32 / (count - 1) as f32 - 0.5);
+    let points = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
+    let positions: Vec<[f32; 3]> = points
+        .map(|(column, row)| [along(column, columns, width), along(row, rows, height), 0.0])
+        .collect();
+    Mesh {
+        normals: vec![[0.0, 0.0, 1.0]; positions.len()],
+        positions,
+        triangles: Grid { columns, rows }.triangles([false, false]),
+        ..Mesh::default()
+    }
+}
+
 /// A box with its edges rounded by `bevel` (at most half its smallest side).
 pub fn rounded_box(size: Vec3, bevel: f32) -> Mesh {
     let bevel = bevel.clamp(0.0, size.min_element() * 0.5);

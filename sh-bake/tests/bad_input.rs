@@ -247,6 +247,20 @@ const WRONG_SCENES: &[(&str, &str, &[&str])] = &[
         ],
     ),
     (
+        "blockers_and_spheres.toml",
+        "",
+        &["line 4", "objects.spheres", "objects.blockers is \"none\""],
+    ),
+    (
+        "blockers_unknown.toml",
+        "",
+        &[
+            "line 3",
+            "objects.blockers is \"boxes\"",
+            "\"spheres\" or \"none\"",
+        ],
+    ),
+    (
         "clip_too_far.toml",
         "bursting.gltf",
         &["the clip takes a vertex to the coordinate", "within ±1e9"],

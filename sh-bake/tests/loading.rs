@@ -60,6 +60,29 @@ fn nodes_move_and_mirror_their_meshes() {
     assert_eq!(part.mesh.uvs[1], [1.0, 1.0]);
 }
 
+/// A wall gets no spheres, is not complained of for its edges, and sends light by its patches; by spheres it cannot, which is said.
+#[test]
+fn what_blocks_no_light_has_no_spheres() {
+    let wall = load_scene(&good("wall.toml")).unwrap();
+    let [wall_body, other] = &wall.scene.objects[..] else {
+        panic!("two objects");
+    };
+    assert!(wall_body.spheres.is_empty() && wall_body.weights.is_empty());
+    assert!(wall_body.basis.is_some() && !other.spheres.is_empty());
+    let closed = |warnings: &[String]| warnings.iter().filter(|w| w.contains("not closed")).count();
+    assert_eq!(
+        closed(&wall.report.warnings),
+        0,
+        "{:?}",
+        wall.report.warnings
+    );
+    assert_eq!((wall.report.fits.len(), wall.report.weights.len()), (1, 1));
+    let by_spheres = load_scene(&good("wall_by_spheres.toml")).unwrap();
+    let said = |w: &String| w.contains("polygon.obj has no spheres, so it sends no light on");
+    assert!(by_spheres.report.warnings.iter().any(said));
+    assert!(by_spheres.scene.objects[0].surface.points.is_empty());
+}
+
 /// Lamps of a scene file: bound to an object by its name or that of its file, and bright where they say.
 #[test]
 fn lamps_are_bound_to_objects() {

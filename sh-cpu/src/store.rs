@@ -92,6 +92,22 @@ impl Sets<'_> {
     }
 }
 
+impl Sets<'_> {
+    /// Those receivers of a domain that take light that bodies have sent.
+    pub fn gathering(&mut self, domain: Domain) -> Set<'_> {
+        let few = match domain {
+            Domain::Patches => self.patches.few,
+            _ => None,
+        };
+        let mut set = self.of(domain);
+        if let Some([receivers, clusters]) = few {
+            set.receivers = &set.receivers[..receivers];
+            set.clusters = &set.clusters[..clusters];
+        }
+        set
+    }
+}
+
 impl Points {
     /// As receivers.
     pub fn set(&mut self) -> Set<'_> {
@@ -123,6 +139,8 @@ pub(crate) struct Spheres<'a> {
     pub light_cuts: &'a mut LightCuts,
     pub patch_lights: &'a mut PatchLights,
     pub patch_cuts: &'a mut PatchCuts,
+    /// Those of points of patches: the same in all turns, once they are found.
+    pub point_cuts: &'a mut PatchCuts,
     pub counts: Counts,
 }
 

@@ -10,15 +10,14 @@ use crate::slot::Slot;
 use crate::surfaces::first_and_last;
 use crate::upload::{Kept, Known, filled};
 use crate::{Bound, ClusterBinding, Error};
-use bytemuck::Zeroable;
 use glam::Mat4;
 use sh_kernels::Pass;
-use sh_scene::basis::{MOST_COEFFICIENTS, Patch, REGION_PATCHES};
+use sh_scene::basis::{MOST_COEFFICIENTS, PATCH_SAMPLES, Patch, REGION_PATCHES};
 use sh_scene::{BasisBody, Receiver};
 use std::sync::Arc;
 use wgpu::{
-    BindGroup, Buffer, BufferBinding, BufferUsages, CommandEncoder, ComputePassTimestampWrites,
-    Device, Queue,
+    BindGroup, Buffer, BufferBinding, BufferSize, BufferUsages, CommandEncoder,
+    ComputePassTimestampWrites, Device, Queue,
 };
 
 /// What is known of bodies, with what their patches send on, and the kernels that find and gather it.
@@ -62,7 +61,11 @@ struct Counts {
     functions: usize,
     /// Of a patch and a function.
     pairs: usize,
-    /// Of a function and a point.
+    /// Points that take light that bodies have sent.
+    few: usize,
+    /// Clusters of these, and of all points.
+    clusters: [usize; 2],
+    /// Of a function and a point, of all and of the few.
     duals: usize,
     /// Elements of what patches and regions send on.
     light: usize,
@@ -74,12 +77,16 @@ impl Counts {
     fn of<'a>(bodies: impl Iterator<Item = BasisBody<'a>>, coefficients: usize) -> Self {
         bodies.fold(Self::default(), |all, body| {
             let (patches, functions) = (body.basis.patches(), body.basis.count());
+            let few = body.basis.few();
+            let [first, rest] = [few, patches - few].map(|some| some.div_ceil(REGION_PATCHES));
             Self {
                 bodies: all.bodies + 1,
                 patches: all.patches + patches,
                 functions: all.functions + functions,
                 pairs: all.pairs + patches * functions,
-                duals: all.duals + patches * functions,
+                few: all.few + few,
+                clusters: [all.clusters[0] + first, all.clusters[1] + first + rest],
+                duals: all.duals + (patches + few) * functions,
                 light: all.light + elements(patches, coefficients),
                 largest: all.largest.max(patches),
             }
@@ -104,7 +111,7 @@ struct Memory {
     regions: Buffer,
     weights: Buffer,
     light: Buffer,
-    /// Each region's points are a cluster.
+    /// Runs of points that lie together: those that take light that bodies have sent come first.
     clusters: Buffer,
 }
 
@@ -149,10 +156,15 @@ impl Bases {
         self.counts.patches as u64
     }
 
-    /// Each region's points are a cluster.
-    pub fn clusters(&self) -> ClusterBinding<'_> {
+    /// Points that lie together, in clusters: all, or the few that take light that bodies have sent.
+    pub fn clusters(&self, few: bool) -> ClusterBinding<'_> {
+        let count = self.counts.clusters[usize::from(!few)] as u64;
         ClusterBinding {
-            clusters: self.memory.clusters.as_entire_buffer_binding(),
+            clusters: BufferBinding {
+                buffer: &self.memory.clusters,
+                offset: 0,
+                size: BufferSize::new(count * size_of::<[u32; 2]>() as u64),
+            },
             largest: REGION_PATCHES as u32,
         }
     }
@@ -179,6 +191,7 @@ impl Bases {
                 records.push(self.record(&body, first));
                 let own = Counts::of(std::iter::once(body), self.coefficients);
                 first.patches += own.patches;
+                first.few += own.few;
                 first.functions += own.functions;
                 first.duals += own.duals;
                 first.pairs += own.pairs;
@@ -214,7 +227,8 @@ impl Bases {
             sends: number(first.pairs),
             light: number(first.light),
             own: u32::from(!body.basis.parts().own.is_empty()),
-            ..Basis::zeroed()
+            few: number(body.basis.few()),
+            first_few: number(first.few),
         }
     }
 
@@ -413,9 +427,14 @@ impl Memory {
         };
         let four = |[x, y, z]: [f32; 3]| [x, y, z, 0.0];
         let bases = || bodies.clone().map(|body| body.basis);
-        let points = bases().flat_map(|basis| basis.points());
+        let points = bases().flat_map(|basis| {
+            let samples = basis.samples();
+            let order = basis.order().iter();
+            order.map(|patch| samples[patch * PATCH_SAMPLES])
+        });
         let points = points.flat_map(|point| [four(point.position), four(point.normal)]);
-        let duals = bases().flat_map(|basis| basis.dual()).copied();
+        let duals = bases().flat_map(|basis| basis.dual().iter().chain(basis.few_dual()));
+        let duals = duals.copied();
         let sends = bases().flat_map(|basis| basis.sends()).map(|x| four(*x));
         // A body that sends itself nothing has as much room as the others, so that both are found alike.
         let owns = bases().flat_map(|basis| {
@@ -425,8 +444,16 @@ impl Memory {
         let lobes = bases().flat_map(|basis| basis.lobes()).flatten().copied();
         let patches = bases().flat_map(|basis| &basis.parts().patches).copied();
         let regions = bases().flat_map(|basis| &basis.shape().regions).copied();
-        let clusters = (0..counts.patches).step_by(REGION_PATCHES);
-        let clusters = clusters.map(|first| [count(first), REGION_PATCHES as u32]);
+        let few = bases().map(|basis| basis.few());
+        let rest = bases().map(|basis| basis.patches() - basis.few());
+        let mut clusters = Vec::new();
+        let mut first = 0;
+        for end in few.chain(rest) {
+            let end = first + end;
+            let runs = (first..end).step_by(REGION_PATCHES);
+            clusters.extend(runs.map(|at| [count(at), count((end - at).min(REGION_PATCHES))]));
+            first = end;
+        }
         let floats = |all: Vec<f32>| bytemuck::cast_slice(&all).to_vec();
         let vectors = |all: Vec<[f32; 4]>| bytemuck::cast_slice(&all).to_vec();
         Ok(Self {
@@ -446,10 +473,7 @@ impl Memory {
             )?,
             weights: own("gaunt weights", counts.functions, 16)?,
             light: own("gaunt patch light", counts.light, 16)?,
-            clusters: known(
-                "gaunt patch clusters",
-                bytemuck::cast_slice(&clusters.collect::<Vec<[u32; 2]>>()),
-            )?,
+            clusters: known("gaunt patch clusters", bytemuck::cast_slice(&clusters))?,
         })
     }
 

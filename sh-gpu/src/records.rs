@@ -102,8 +102,10 @@ pub struct Basis {
     pub light: u32,
     /// 1 where it sends itself light.
     pub own: u32,
-    /// Fills up to a multiple of 16 bytes.
-    pub unused: [u32; 2],
+    /// How many of its points take light that bodies have sent.
+    pub few: u32,
+    /// Where they begin: those of all bodies come first.
+    pub first_few: u32,
 }
 
 /// `struct UpsampleRule`: where light at half resolution will do for a sample.

@@ -402,7 +402,8 @@ impl Setup<'_> {
         let clusters = match at {
             Domain::Patches => {
                 bases = self.bases()?;
-                bases.clusters()
+                // What bodies send varies less than what lights do.
+                bases.clusters(written == SENT)
             }
             _ => {
                 surfaces = self.surfaces()?;

@@ -32,8 +32,36 @@ pub struct Material {
     pub texture: Option<Texture>,
 }
 
+impl Material {
+    /// One colour, and nothing else.
+    ///
+    /// ```
+    /// let red = sh_scene::Material::diffuse([0.8, 0.1, 0.1]);
+    /// assert!(red.texture.is_none());
+    /// ```
+    pub const fn diffuse(albedo: [f32; 3]) -> Self {
+        Self {
+            albedo,
+            texture: None,
+        }
+    }
+}
+
+impl Default for Material {
+    /// White.
+    fn default() -> Self {
+        Self::diffuse([1.0; 3])
+    }
+}
+
 /// One body: a mesh, how it reflects, where it stands, and the spheres that block light in its place.
-#[derive(Clone, Debug)]
+///
+/// ```
+/// use sh_scene::{Material, Object};
+/// let body = Object { material: Material::diffuse([0.5; 3]), ..Object::default() };
+/// assert!(body.bounds().is_none());
+/// ```
+#[derive(Clone, Debug, Default)]
 pub struct Object {
     /// What messages call it.
     pub name: String,

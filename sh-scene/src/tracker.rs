@@ -312,10 +312,7 @@ mod tests {
         let object = |x: f32, spheres: usize| Object {
             name: "row".into(),
             mesh: Mesh::default(),
-            material: Material {
-                albedo: [0.5; 3],
-                texture: None,
-            },
+            material: Material::diffuse([0.5; 3]),
             transform: Affine3A::from_translation(Vec3::X * x),
             spheres: (0..spheres)
                 .map(|i| Sphere {
@@ -323,10 +320,7 @@ mod tests {
                     radius: 0.4,
                 })
                 .collect(),
-            weights: Vec::new(),
-            part_of: None,
-            basis: None,
-            surface: Default::default(),
+            ..Object::default()
         };
         let lamp = |radiance| AreaLight::local(Vec3::Y, 0.1, radiance);
         Scene {

@@ -78,11 +78,7 @@ fn object(mesh: Mesh) -> Object {
     Object {
         name: "strip".into(),
         mesh,
-        material: Material {
-            albedo: [0.5; 3],
-            texture: None,
-        },
-        transform: Affine3A::IDENTITY,
+        material: Material::diffuse([0.5; 3]),
         spheres: vec![
             Sphere {
                 center: [0.5, 0.5, 0.0],
@@ -93,10 +89,7 @@ fn object(mesh: Mesh) -> Object {
                 radius: 1.0,
             },
         ],
-        weights: Vec::new(),
-        part_of: None,
-        basis: None,
-        surface: Default::default(),
+        ..Object::default()
     }
 }
 

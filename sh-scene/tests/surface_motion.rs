@@ -127,16 +127,11 @@ fn scene(turn: Quat, hard: bool) -> (Scene, Motion) {
     let object = Object {
         name: "tube".into(),
         mesh,
-        material: Material {
-            albedo: [0.5; 3],
-            texture: None,
-        },
+        material: Material::diffuse([0.5; 3]),
         transform: Affine3A::from_translation(Vec3::X),
         spheres,
-        weights: Vec::new(),
-        part_of: None,
-        basis: None,
         surface,
+        ..Object::default()
     };
     motion.add_surfaces(std::slice::from_ref(&object));
     let scene = Scene {

@@ -12,20 +12,14 @@ use std::sync::Arc;
 
 /// A body of so many spheres, whose patches send light on.
 fn body(mesh: Mesh, albedo: f32, spheres: usize) -> Object {
-    let material = Material {
-        albedo: [albedo; 3],
-        texture: None,
-    };
+    let material = Material::diffuse([albedo; 3]);
     Object {
         name: "body".into(),
         spheres: SphereSet::fit(&[&mesh], spheres).spheres,
         basis: irradiance_basis(&[(&mesh, &material)], 16, &|_| {}).map(Arc::new),
         mesh,
         material,
-        transform: Affine3A::IDENTITY,
-        weights: Vec::new(),
-        part_of: None,
-        surface: Default::default(),
+        ..Object::default()
     }
 }
 
@@ -120,6 +114,62 @@ fn a_ball_gives_what_a_disc_of_its_size_gives() {
             println!("{far} {aslant}: {error}");
             assert!(error < most, "{far}, {aslant}: {error}");
         }
+    }
+}
+
+/// What a polygon of radiance 1 gives a receiver that has all of it above its horizon, as what albedo 1 reflects (Lambert 1760).
+fn polygon(corners: &[Vec3], from: &Receiver) -> f64 {
+    let (place, normal) = (Vec3::from(from.position), Vec3::from(from.normal));
+    let towards = |k: usize| (corners[k % corners.len()] - place).as_dvec3().normalize();
+    let edge = |k: usize| {
+        let (a, b) = (towards(k), towards(k + 1));
+        let across = a.cross(b);
+        across.length().atan2(a.dot(b)) * across.normalize().dot(normal.as_dvec3())
+    };
+    let sum: f64 = (0..corners.len()).map(edge).sum();
+    sum.abs() / (2.0 * std::f64::consts::PI)
+}
+
+/// A square in an even sky is as bright all over as its albedo, and gives what Lambert's formula says, from anywhere: as
+/// small discs, as patches, as quarters of a region, as regions. Errors are in parts of its radiance; next to it single discs show.
+#[test]
+fn a_square_gives_what_a_square_gives() {
+    let square = Object {
+        spheres: Vec::new(),
+        ..body(shapes::panel([1.0; 2], [4; 2]), 0.5, 1)
+    };
+    let scene = scene(vec![square], 1);
+    let corners = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)];
+    let corners = corners.map(|(x, y)| vec3(x, y, 0.0));
+    for (height, most) in [
+        (0.01, 0.012),
+        (0.03, 0.004),
+        (0.1, 0.007),
+        (0.3, 0.001),
+        (0.6, 0.001),
+        (1.0, 3e-4),
+        (2.0, 1e-4),
+        (5.0, 1e-5),
+    ] {
+        let mut worst = 0.0_f64;
+        for k in 0..100u8 {
+            let [x, y] = [k / 10, k % 10].map(|i| 0.16 * (f32::from(i) - 4.37));
+            let aslant = around(usize::from(k), 100) * 0.6;
+            let place = vec3(x, y, height);
+            let receiver = receiver(place, aslant - Vec3::Z, 0);
+            let normal = Vec3::from(receiver.normal);
+            if corners
+                .iter()
+                .any(|corner| (corner - place).dot(normal) < 0.0)
+            {
+                continue;
+            }
+            let expected = 0.5 * polygon(&corners, &receiver);
+            let found = f64::from(sent(&scene, &[receiver])[0]);
+            worst = worst.max((found - expected).abs() / 0.5);
+        }
+        println!("{height}: {worst}");
+        assert!(worst < most, "{height}: {worst}");
     }
 }
 
@@ -266,7 +316,10 @@ fn bodies_of_any_kind_are_bounded() {
         }
         let basis = scene.objects[0].basis.as_ref().unwrap();
         for patch in basis.parts().patches.iter().step_by(9) {
-            let (place, normal) = (patch.whole.center.into(), Vec3::from(patch.whole.normal));
+            let (place, normal) = (
+                patch.whole.disc.center.into(),
+                Vec3::from(patch.whole.disc.normal),
+            );
             receivers.push(receiver(place, normal, object));
             receivers.push(receiver(place, -normal, object));
         }

@@ -7,6 +7,7 @@ mod frames;
 mod lights;
 mod peak;
 mod rays;
+mod rooms;
 mod scaling;
 mod scenes;
 mod sent;
@@ -38,6 +39,10 @@ pub enum Bench {
     Rays,
     /// What more spheres that send light on cost, by what hides them
     Lights,
+    /// A room of twelve bodies that send light to and fro by patches: 50,000 receivers, 3 bounces
+    Room,
+    /// Thirty pots on the floor of a room: 122,000 receivers
+    Teapots,
 }
 
 /// How to run it.
@@ -75,5 +80,7 @@ pub fn run(options: &Options) -> Result<String, Error> {
         Bench::Scaling => scaling::run(options.json),
         Bench::Rays => rays::run(options.json, options.plot.as_deref()),
         Bench::Lights => lights::run(options.json, options.plot.as_deref()),
+        Bench::Room => rooms::run("room", crate::rooms::room, options.json),
+        Bench::Teapots => rooms::run("teapots", crate::rooms::teapots, options.json),
     }
 }

@@ -16,10 +16,7 @@ pub(super) fn body(
     place: Vec3,
 ) -> Object {
     let spheres = SphereSet::fit(&[&mesh], count).spheres;
-    let material = Material {
-        albedo,
-        texture: None,
-    };
+    let material = Material::diffuse(albedo);
     let surface = bake_surface(&[(&mesh, &material)], &spheres);
     let up = turn.inverse() * Vec3::Y;
     let weights = weights(&[&mesh], &spheres, up.into());
@@ -30,9 +27,8 @@ pub(super) fn body(
         transform: Affine3A::from_quat(turn),
         spheres,
         weights,
-        part_of: None,
-        basis: None,
         surface,
+        ..Object::default()
     };
     stood(object, place)
 }

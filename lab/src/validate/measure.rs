@@ -16,7 +16,7 @@ pub(super) struct Traced {
     pub paths: u32,
 }
 
-/// What is seen of a scene, and its true light with one bounce: bodies are the only reflectors.
+/// What is seen of a scene, and its true light with as many bounces as it asks for: bodies are the only reflectors.
 pub(super) struct Sight {
     pub seen: Seen,
     pub truth: Truth,
@@ -92,7 +92,7 @@ pub(super) fn trace(
     light: paths::Source,
 ) -> Result<Truth, Error> {
     let options = paths::Options {
-        bounces: 1,
+        bounces: scene.settings.indirect.map_or(0, |i| i.bounces),
         ground_reflects: false,
         light,
     };

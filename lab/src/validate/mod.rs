@@ -7,11 +7,13 @@
 //! | `measure` | the truth of a scene, and how far the passes are from it |
 //! | `tables` | how that falls with spheres and orders, and where it comes from |
 //! | `weight` | the mean radiance of a ball, in two ways |
+//! | `rooms` | bodies that send light to and fro by patches, by functions, order and bounces |
 //! | `sheets`, `print` | pictures and tables |
 
 mod bodies;
 mod measure;
 mod print;
+mod rooms;
 mod scenes;
 mod sheets;
 mod tables;
@@ -43,7 +45,7 @@ pub struct Options {
 }
 
 /// The tables besides the scenes'.
-const TABLES: [&str; 5] = ["counts", "orders", "bends", "steps", "weights"];
+const TABLES: [&str; 6] = ["counts", "orders", "bends", "steps", "weights", "ways"];
 
 /// All scenes and tables, by name.
 ///
@@ -51,7 +53,8 @@ const TABLES: [&str; 5] = ["counts", "orders", "bends", "steps", "weights"];
 /// assert!(gaunt_lab::validate::names().any(|name| name == "bend-180"));
 /// ```
 pub fn names() -> impl Iterator<Item = &'static str> {
-    CASES.iter().map(|case| case.name).chain(TABLES)
+    let scenes = CASES.iter().map(|case| case.name);
+    scenes.chain(TABLES).chain(rooms::names())
 }
 
 /// All tables; one that was not asked for is empty.
@@ -63,6 +66,7 @@ struct Report {
     bends: Vec<Row>,
     steps: Vec<Step>,
     weights: Vec<weight::Row>,
+    rooms: Vec<rooms::Row>,
 }
 
 /// Measures, writes the sheets if asked for, and returns the text to print.
@@ -109,7 +113,7 @@ pub fn run(options: &Options) -> Result<String, Error> {
             .push(tables::row(case.name, &scene, &sight, Source::Projected)?);
         if let Some(folder) = &options.out {
             for scene in [&scene, &tables::patched(&scene)] {
-                sheets::write(folder, case, scene, &sight, options)?;
+                sheets::write(folder, (case.name, case.title), scene, &sight, options)?;
             }
         }
         finished();
@@ -130,6 +134,16 @@ pub fn run(options: &Options) -> Result<String, Error> {
     }
     if wanted("weights") {
         report.weights = weight::rows();
+    }
+    for name in rooms::names() {
+        if wanted(name) {
+            report.rooms.extend(rooms::rows(name, traced, options)?);
+            finished();
+        }
+    }
+    if wanted("ways") {
+        report.rooms.extend(rooms::ways(traced)?);
+        finished();
     }
     progress.finish();
     if options.json {

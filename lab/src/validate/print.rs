@@ -62,6 +62,26 @@ pub(super) fn tables(report: &Report) -> String {
             table(header, rows)
         ));
     }
+    if !report.rooms.is_empty() {
+        let header = "room | functions | order | bounces | direct | of the mean indirect | bias of it | its noise | on bodies | bias | share of indirect light | MB";
+        let rows = report.rooms.iter().map(|r| {
+            let head = format!("{} | {} | {} | {}", r.name, r.functions, r.order, r.bounces);
+            let [rms, bias] = r.patches;
+            let [on_bodies, bias_there] = r.pieces;
+            format!(
+                "{head} | {} | {} | {:+.1} % | {} | {} | {:+.1} % | {} | {:.1}",
+                percent(r.direct),
+                percent(rms),
+                100.0 * bias,
+                percent(r.noise),
+                percent(on_bodies),
+                100.0 * bias_there,
+                percent(r.share),
+                r.bytes as f64 / 1e6,
+            )
+        });
+        parts.push(format!("Rooms, by patches\n\n{}", table(header, rows)));
+    }
     parts.join("\n\n")
 }
 

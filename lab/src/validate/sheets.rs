@@ -2,7 +2,6 @@
 
 use super::Options;
 use super::measure::Sight;
-use super::scenes::Case;
 use gaunt::Error;
 use gaunt::compare::pictures::Pictures;
 use gaunt::compare::{balls, sheet};
@@ -13,7 +12,7 @@ use std::path::Path;
 /// Writes the sheet of a scene into a folder, by its method: that of patches beside that of spheres.
 pub(super) fn write(
     folder: &Path,
-    case: &Case,
+    (name, title): (&str, &str),
     scene: &Scene,
     sight: &Sight,
     options: &Options,
@@ -22,7 +21,7 @@ pub(super) fn write(
         Method::SphericalLights => "",
         Method::BasisIrradiance => "-patches",
     };
-    let file = folder.join(format!("{}{by}.png", case.name));
+    let file = folder.join(format!("{name}{by}.png"));
     let output = Output::create(&file)?;
     let light = scene.light()?;
     let ours = sight.ours(scene)?;
@@ -35,7 +34,7 @@ pub(super) fn write(
     let mut rows = pictures.rows(&ours.parts, &sight.truth.parts, None, spheres);
     // Direct light alone looks as all light does: it is in the tables.
     rows.remove(1);
-    let mut title = case.title.to_string();
+    let mut title = title.to_string();
     if let Some(first) = title.get_mut(..1) {
         first.make_ascii_uppercase();
     }

@@ -148,20 +148,13 @@ fn world_triangles_are_transformed() {
     let object = Object {
         name: String::from("triangle"),
         mesh,
-        material: Material {
-            albedo: [1.0; 3],
-            texture: None,
-        },
+        material: Material::diffuse([1.0; 3]),
         transform: Affine3A::from_scale_rotation_translation(
             glam::Vec3::splat(2.0),
             Quat::from_rotation_z(std::f32::consts::FRAC_PI_2),
             glam::Vec3::new(10.0, 20.0, 30.0),
         ),
-        spheres: Vec::new(),
-        weights: Vec::new(),
-        part_of: None,
-        basis: None,
-        surface: Default::default(),
+        ..Object::default()
     };
     let expected = [[10.0, 20.0, 32.0], [10.0, 22.0, 30.0], [8.0, 20.0, 30.0]];
     let found = world_triangles(&object);

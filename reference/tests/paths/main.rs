@@ -45,16 +45,9 @@ fn object(mesh: Mesh, albedo: [f32; 3], place: Vec3) -> Object {
     Object {
         name: String::from("body"),
         mesh,
-        material: Material {
-            albedo,
-            texture: None,
-        },
+        material: Material::diffuse(albedo),
         transform: Affine3A::from_translation(place),
-        spheres: Vec::new(),
-        weights: Vec::new(),
-        part_of: None,
-        basis: None,
-        surface: SurfaceSamples::default(),
+        ..Object::default()
     }
 }
 

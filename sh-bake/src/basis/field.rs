@@ -39,7 +39,7 @@ const RANGE: [f64; 2] = [1.15, 8.0];
 /// ```
 /// use sh_bake::{IrradianceField, irradiance_basis, shapes};
 /// use sh_scene::Material;
-/// let (ball, gray) = (shapes::ball(1.0, 3), Material { albedo: [0.5; 3], texture: None });
+/// let (ball, gray) = (shapes::ball(1.0, 3), Material::diffuse([0.5; 3]));
 /// let parts = [(&ball, &gray)];
 /// let basis = irradiance_basis(&parts, 4, &|_| {}).unwrap();
 /// let field = IrradianceField::bake(&parts, &basis, &|_| {}).unwrap();

@@ -5,7 +5,7 @@ use super::singular::{dot, singular};
 use super::training::{RAYS, Training, training};
 use crate::rays::Rays;
 use glam::Vec3;
-use sh_scene::basis::{BasisParts, Disc, PATCH_SAMPLES, Patch};
+use sh_scene::basis::{BasisParts, Disc, Facet, PATCH_SAMPLES, Patch};
 use sh_scene::{BasisSample, IrradianceBasis, Material, Mesh};
 
 /// Finds at most `most` functions (at least one) in which the irradiance of a body is written that is made of these parts, and
@@ -16,7 +16,7 @@ use sh_scene::{BasisSample, IrradianceBasis, Material, Mesh};
 /// ```
 /// use sh_bake::{irradiance_basis, shapes};
 /// use sh_scene::Material;
-/// let (knot, white) = (shapes::torus_knot(2, 3, 1.0, 0.4, 0.25), Material { albedo: [1.0; 3], texture: None });
+/// let (knot, white) = (shapes::torus_knot(2, 3, 1.0, 0.4, 0.25), Material::diffuse([1.0; 3]));
 /// let basis = irradiance_basis(&[(&knot, &white)], 16, &|_| {}).unwrap();
 /// // Of all lights that it was taught by, 16 functions tell most.
 /// assert!(basis.held(16) > 0.8);
@@ -61,7 +61,10 @@ pub fn irradiance_basis(
     let patches = patches.iter().zip(discs.as_chunks().0).zip(&escape);
     let patch = |((whole, discs), escape): ((_, &[_; PATCH_SAMPLES]), _)| {
         let whole = disc(whole, area * PATCH_SAMPLES as f32);
-        Patch::new(whole, discs.each_ref().map(|d| disc(d, area)), escape)
+        Patch {
+            whole: Facet::new(whole, escape),
+            discs: discs.each_ref().map(|d| disc(d, area)),
+        }
     };
     IrradianceBasis::new(BasisParts {
         area,

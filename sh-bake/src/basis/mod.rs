@@ -21,4 +21,4 @@ pub use field::{IrradianceField, LitField};
 pub use functions::irradiance_basis;
 
 /// Changes whenever the same body may get other functions or patches.
-pub(crate) const BASIS_VERSION: u32 = 1;
+pub(crate) const BASIS_VERSION: u32 = 2;

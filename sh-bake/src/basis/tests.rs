@@ -4,13 +4,10 @@ use crate::shapes;
 use glam::{Vec3, vec3};
 use sh_core::Routines;
 use sh_scene::basis::REGION_PATCHES;
-use sh_scene::{IrradianceBasis, Material, Mesh, Texture};
+use sh_scene::{IrradianceBasis, Material, Mesh};
 use std::f32::consts::TAU;
 
-const WHITE: Material = Material {
-    albedo: [1.0; 3],
-    texture: None::<Texture>,
-};
+const WHITE: Material = Material::diffuse([1.0; 3]);
 
 fn bake(mesh: &Mesh, count: usize) -> IrradianceBasis {
     irradiance_basis(&[(mesh, &WHITE)], count, &|_| {}).expect("it has triangles")
@@ -122,10 +119,7 @@ fn a_closed_room_gives_itself_all_that_it_has() {
         let [r, ..] = basis.irradiance(&weights, sample);
         assert!((r - 1.0).abs() < 1e-3, "{sample}: {r}");
     }
-    let gray = Material {
-        albedo: [0.5, 0.25, 0.0],
-        texture: None,
-    };
+    let gray = Material::diffuse([0.5, 0.25, 0.0]);
     let basis = irradiance_basis(&[(&room(), &gray)], 16, &|_| {}).unwrap();
     weights = vec![[0.0; 3]; basis.count()];
     weights[0] = [1.0; 3];
@@ -210,14 +204,14 @@ fn parts_error(mesh: &Mesh, weights: &[[f32; 3]]) -> Vec<(f32, [f64; 2])> {
     let by_patches = |place: Vec3| {
         let mut seen = [[0.0; 16]; 3];
         for (patch, sent) in basis.parts().patches.iter().zip(&sent) {
-            let to = Vec3::from(patch.whole.center) - place;
+            let to = Vec3::from(patch.whole.disc.center) - place;
             let u = to.normalize();
-            let shown =
-                (-u.dot(patch.whole.normal.into())).max(0.0) * patch.escape().seen((-u).to_array());
+            let shown = (-u.dot(patch.whole.disc.normal.into())).max(0.0)
+                * patch.whole.escape().seen((-u).to_array());
             add(
                 &mut seen,
                 u,
-                sent.map(|l| l * patch.whole.area * shown / to.length_squared()),
+                sent.map(|l| l * patch.whole.disc.area * shown / to.length_squared()),
             );
         }
         seen

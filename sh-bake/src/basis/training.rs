@@ -186,10 +186,7 @@ mod tests {
             triangles: vec![[0, 2, 1], [0, 3, 2], [4, 6, 5], [4, 7, 6]],
             ..Mesh::default()
         };
-        let white = Material {
-            albedo: [1.0; 3],
-            texture: None,
-        };
+        let white = Material::diffuse([1.0; 3]);
         let parts = [(&mesh, &white)];
         let rays = Rays::of(&parts).unwrap();
         let points = spread(&parts, 400).samples;

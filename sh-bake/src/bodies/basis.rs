@@ -208,10 +208,7 @@ mod tests {
     #[test]
     fn functions_come_back_bit_by_bit() {
         let mesh = crate::shapes::rounded_box(glam::Vec3::ONE, 0.1);
-        let white = Material {
-            albedo: [1.0, 0.5, 0.2],
-            texture: None,
-        };
+        let white = Material::diffuse([1.0, 0.5, 0.2]);
         let kept = Kept(irradiance_basis(&[(&mesh, &white)], 5, &|_| {}));
         let bytes = kept.encoded();
         assert_eq!(Kept::decoded(&bytes), Some(kept));

@@ -145,10 +145,7 @@ fn surface(
         uvs: Vec::new(),
         colors: Vec::new(),
         triangles: Vec::new(),
-        material: Material {
-            albedo: WHITE,
-            texture: None,
-        },
+        material: Material::diffuse(WHITE),
         bind: None,
     };
     if !matches!(

@@ -39,6 +39,14 @@ pub struct SphereSet {
 }
 
 impl SphereSet {
+    /// That of a body that blocks no light.
+    pub(crate) fn none() -> Self {
+        Self {
+            spheres: Vec::new(),
+            outside_volume_ratio: None,
+        }
+    }
+
     /// Fits at most `count` spheres (at least one) to the triangles of `meshes` together, which must share
     /// one space. The same input gives the same spheres, whatever the number of threads. Takes about a second
     /// and a half for 64 spheres on two cores; a mesh without triangles has no spheres. Reads and writes no file.

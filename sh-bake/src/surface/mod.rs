@@ -51,7 +51,7 @@ pub(crate) const SURFACE_VERSION: u32 = 2;
 /// ```
 /// use sh_bake::{bake_surface, shapes};
 /// use sh_scene::{Material, Sphere};
-/// let (mesh, grey) = (shapes::ball(1.0, 3), Material { albedo: [0.5; 3], texture: None });
+/// let (mesh, grey) = (shapes::ball(1.0, 3), Material::diffuse([0.5; 3]));
 /// let samples = bake_surface(&[(&mesh, &grey)], &[Sphere { center: [0.0; 3], radius: 1.0 }]);
 /// assert_eq!(samples.points.len(), 92);
 /// assert!(samples.points.iter().all(|p| (p.albedo[0] - 0.5).abs() < 1e-6));

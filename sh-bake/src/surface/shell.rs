@@ -166,10 +166,7 @@ mod tests {
     use sh_scene::Material;
     use sh_scene::surface::stratified;
 
-    const GREY: Material = Material {
-        albedo: [0.5; 3],
-        texture: None,
-    };
+    const GREY: Material = Material::diffuse([0.5; 3]);
 
     #[test]
     fn a_ball_is_left_once_from_within_and_crossed_twice_from_without() {

@@ -3,10 +3,7 @@
 use super::*;
 use crate::shapes;
 
-const GREY: Material = Material {
-    albedo: [0.25, 0.5, 0.75],
-    texture: None,
-};
+const GREY: Material = Material::diffuse([0.25, 0.5, 0.75]);
 
 fn sphere(center: [f32; 3], radius: f32) -> Sphere {
     Sphere { center, radius }
@@ -225,10 +222,7 @@ fn parts_are_one_body_with_their_own_colours() {
             .sum::<f32>()
             <= 0.0
     });
-    let red = Material {
-        albedo: [1.0, f32::NAN, -1.0],
-        texture: None,
-    };
+    let red = Material::diffuse([1.0, f32::NAN, -1.0]);
     let samples = bake_surface(
         &[(&tinted, &GREY), (&lower, &red)],
         &[sphere([0.0; 3], 1.0)],

@@ -4,9 +4,10 @@ use super::patch_lights::Placed;
 use glam::Vec3;
 use rayon::prelude::*;
 use sh_core::constants::{
-    BEHIND, COARSER, COARSEST, ENTIRE, LIFTED, NEAR, REACH, REFINED, REGION_PATCHES, ROOM, WIDENED,
+    BEHIND, COARSER, COARSEST, ENTIRE, JOINED, LIFTED, NEAR, REACH, REFINED, REGION_PATCHES, ROOM,
+    SPLIT, WIDENED, WITHIN,
 };
-use sh_scene::basis::Disc;
+use sh_scene::basis::{Disc, Patch};
 use sh_scene::{Blocker, Bounds, Forest, Limits, Receiver, Side};
 use std::ops::Range;
 
@@ -20,24 +21,28 @@ pub struct PatchCuts {
 #[derive(Clone, Debug, Default)]
 pub struct PatchCut {
     pub sources: Vec<Source>,
-    /// Spheres that may hide a part of them, body by body.
+    /// Spheres that may hide a part of them.
     pub hiders: Vec<Blocker>,
-    /// For each part those of its body's that may hide it: the how many-th they are.
+    /// For each part those that may hide it: the how many-th they are.
     pub hiding: Vec<u8>,
     pub parts: Vec<Part>,
+    /// Patches around its receivers of the bodies that these are of.
+    pub around: Vec<u32>,
     /// The bodies that its receivers are of.
     objects: Vec<u32>,
     /// The nodes of its cut.
     nodes: Vec<u32>,
+    /// Those of the hiders that may hide a body at all.
+    before: Vec<u8>,
 }
 
 /// A body that lights a cluster.
 #[derive(Clone, Copy, Debug)]
 pub struct Source {
     pub body: u32,
-    /// Where its hiders and parts end in the lists of all; they begin where those of the one before it end.
-    pub hiders_end: u32,
+    /// Where its parts and what is around end in the lists of all; they begin where those of the one before it end.
     pub parts_end: u32,
+    pub around_end: u32,
     /// Whether some receiver is of the body itself.
     pub own: bool,
 }
@@ -71,7 +76,8 @@ impl PatchCuts {
             if let Some(bounds) = Bounds::of(receivers) {
                 own.objects(receivers);
                 own.cut(&bounds, forest, limits);
-                own.find(&bounds, forest, bodies);
+                own.see(&bounds, forest);
+                own.find(&bounds, bodies);
             }
         });
     }
@@ -82,6 +88,7 @@ impl PatchCuts {
                 + size_of_val(&cut.hiders[..])
                 + size_of_val(&cut.hiding[..])
                 + size_of_val(&cut.parts[..])
+                + size_of_val(&cut.around[..])
                 + size_of_val(&cut.nodes[..])
         };
         self.clusters.iter().map(of).sum()
@@ -94,6 +101,7 @@ impl PatchCut {
         self.hiders.clear();
         self.hiding.clear();
         self.parts.clear();
+        self.around.clear();
         self.objects.clear();
         self.nodes.clear();
     }
@@ -124,7 +132,7 @@ impl PatchCut {
         }
     }
 
-    fn find(&mut self, bounds: &Bounds, forest: &Forest, bodies: &[Placed]) {
+    fn find(&mut self, bounds: &Bounds, bodies: &[Placed]) {
         for (body, placed) in (0..).zip(bodies).filter(|(_, body)| body.placed) {
             let own = self.objects.contains(&placed.object);
             // To its own receivers a body gives what its functions say.
@@ -135,17 +143,34 @@ impl PatchCut {
             }
             let seen = self.parts.len() > before;
             if seen {
-                self.hide(placed, bounds, forest, before);
+                self.hide(placed, bounds, before);
+            }
+            if own {
+                self.around(placed, bounds);
             }
             if own || seen {
                 self.sources.push(Source {
                     body,
-                    hiders_end: self.hiders.len() as u32,
                     parts_end: self.parts.len() as u32,
+                    around_end: self.around.len() as u32,
                     own,
                 });
             }
         }
+    }
+
+    /// Patches of a body that tell some receiver what it gives itself.
+    fn around(&mut self, placed: &Placed, bounds: &Bounds) {
+        let from = placed.local.transform_point3(bounds.center);
+        let within = bounds.radius / placed.scale;
+        let near = |patch: &Patch| {
+            let disc = &patch.whole.disc;
+            let reach = WITHIN as f32 * disc.area.sqrt();
+            Vec3::from(disc.center).distance(from) < reach + within
+        };
+        let all = (0..).zip(placed.patches);
+        let near = all.filter(|(_, patch)| near(patch));
+        self.around.extend(near.map(|(at, _)| at));
     }
 
     fn parts_of(&mut self, placed: &Placed, bounds: &Bounds) {
@@ -159,17 +184,28 @@ impl PatchCut {
             if bounds.side(world, region.radius * placed.scale) == Side::Behind {
                 continue;
             }
-            let far = center.distance(from);
-            let whole = far + within > REFINED as f32 * region.radius;
+            let disc = &region.whole.disc;
+            // How far it is, from where on it counts as a whole, and from where on as nothing else.
+            let (far, [refined, entire]) = match disc.area > 0.0 {
+                true => (
+                    Vec3::from(disc.center).distance(from),
+                    [SPLIT, JOINED].map(|roots| roots as f32 * disc.area.sqrt()),
+                ),
+                false => (
+                    center.distance(from),
+                    [REFINED, ENTIRE].map(|radii| radii as f32 * region.radius),
+                ),
+            };
+            let whole = far + within > refined;
             let mut mask = 0;
-            if far - within < ENTIRE as f32 * region.radius {
+            if far - within < entire {
                 for (bit, patch) in patches.iter().enumerate() {
                     let faces = |disc: &Disc| {
                         let height = Vec3::from(disc.normal).dot(from - Vec3::from(disc.center));
                         let behind = BEHIND * LIFTED * f64::from(disc.area).sqrt();
                         height + within + behind as f32 > 0.0
                     };
-                    let mut discs = std::iter::once(&patch.whole).chain(&patch.discs);
+                    let mut discs = std::iter::once(&patch.whole.disc).chain(&patch.discs);
                     mask |= u32::from(discs.any(faces)) << bit;
                 }
             }
@@ -184,9 +220,8 @@ impl PatchCut {
         }
     }
 
-    /// Spheres of other bodies that may hide a part of this one, whose parts begin at `first`, from some receiver. One that
-    /// stands for several is as large as they are together.
-    fn hide(&mut self, placed: &Placed, bounds: &Bounds, forest: &Forest, first: usize) {
+    /// Spheres that some receiver may see. One that stands for several is as large as they are together.
+    fn see(&mut self, bounds: &Bounds, forest: &Forest) {
         let balls = self.nodes.iter().map(|&at| {
             let node = &forest.nodes()[at as usize];
             Blocker {
@@ -194,25 +229,29 @@ impl PatchCut {
                 ..Blocker::of(node)
             }
         });
-        let before = self.hiders.len();
+        let seen = |ball: &Blocker| bounds.side(ball.center.into(), ball.radius) != Side::Behind;
+        self.hiders.extend(balls.filter(seen));
+    }
+
+    /// Spheres of other bodies that may hide a part of this one, whose parts begin at `first`, from some receiver.
+    fn hide(&mut self, placed: &Placed, bounds: &Bounds, first: usize) {
+        // There are no more than 128.
+        let all = (0..=u8::MAX).zip(&self.hiders);
         let whole = (placed.center, placed.radius);
-        self.hiders.extend(balls.filter(|ball| {
-            ball.object != placed.object
-                && bounds.side(ball.center.into(), ball.radius) != Side::Behind
-                && may_hide(ball, whole, bounds)
-        }));
-        let hiders = &self.hiders[before..];
+        let before =
+            all.filter(|(_, ball)| ball.object != placed.object && may_hide(ball, whole, bounds));
+        self.before.clear();
+        self.before.extend(before.map(|(at, _)| at));
         for part in &mut self.parts[first..] {
             let region = &placed.shape.regions[part.region as usize];
             let ball = (
                 placed.world(region.center.into()),
                 region.radius * placed.scale,
             );
-            // There are no more than 128.
-            let hiding = (0..=u8::MAX)
-                .zip(hiders)
-                .filter(|(_, hider)| may_hide(hider, ball, bounds));
-            self.hiding.extend(hiding.map(|(at, _)| at));
+            let hiders = &self.hiders;
+            let before = self.before.iter().copied();
+            let hiding = before.filter(|&at| may_hide(&hiders[usize::from(at)], ball, bounds));
+            self.hiding.extend(hiding);
             part.hiding_end = self.hiding.len() as u32;
         }
     }

@@ -3,6 +3,7 @@
 use glam::{Affine3A, Mat3, Vec3};
 use sh_scene::BasisBody;
 use sh_scene::basis::{Patch, Shape};
+use std::ops::Range;
 
 /// What the patches and regions of all bodies send on, in these bodies' own spaces. Its memory is kept from frame to frame.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +26,21 @@ pub struct Lit {
     pub own: Vec<[f32; 3]>,
     /// Intensity of each region by direction, coefficient by coefficient.
     pub emission: Vec<[f32; 3]>,
+}
+
+impl Lit {
+    /// The mean radiance of some patches.
+    #[inline(always)]
+    pub(crate) fn mean(&self, patches: Range<usize>) -> [f32; 3] {
+        let share = 1.0 / patches.len() as f32;
+        let mut mean = [0.0; 3];
+        for radiance in &self.radiance[patches] {
+            for (mean, of) in mean.iter_mut().zip(radiance) {
+                *mean += of;
+            }
+        }
+        mean.map(|sum| sum * share)
+    }
 }
 
 impl PatchLights {

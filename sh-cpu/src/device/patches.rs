@@ -7,40 +7,52 @@
 //! F = A h h' / (π t⁴)
 //! ```
 //!
-//! as what albedo 1 reflects. So near that single discs would be seen the receiver is *lifted*: instead of h it is √(h² + ε²)
-//! off the plane of the disc, with ε of half the distance of discs. A plane of them gives what it gives then, from
-//! wherever it is looked at: a half space all of the light, one that ends at the receiver's feet a half. A region sends
-//! I(ω) cos θ' / (π t²), with its intensity I by direction. A region gives way to its patches where a receiver is near, and a
-//! patch to four smaller discs.
+//! as what albedo 1 reflects. That is what its middle sends; what the disc does differs from it by a² / 8 of the Laplacian of that
+//! in its plane, a² = A / π. With the normals n and n' of disc and receiver that comes to
 //!
-//! Of both is seen what nearer spheres leave: each covers a share of the disc, by how far their edges overlap, and shares
+//! ```text
+//! F = A / (π t² (t² + a²)) · (h h' (1 + x (2 − 3 h² / t²)) − x h² n · n')        x = a² / t²
+//! ```
+//!
+//! in which 1 + a² / t² was divided by so that it is exact on the axis of a disc that faces the receiver, from any distance.
+//!
+//! So near that single discs would be seen the receiver is *lifted* instead: in place of h it is √(h² + ε²)
+//! off the plane of the disc, with ε of half the distance of discs. A plane of them gives what it gives then, from
+//! wherever it is looked at: a half space all of the light, one that ends at the receiver's feet a half. A region that is flat is one
+//! disc; another sends I(ω) cos θ' / (π t²), with its intensity I by direction. Where a receiver is near, a region gives way to its quarters, one
+//! that is not flat or near to its patches, and a patch that is near to four smaller discs.
+//!
+//! Of all of them is seen what nearer spheres leave: each covers a share of the disc, by how far their edges overlap, and shares
 //! that are left multiply, which for a disc that is small beside the spheres is what they leave together. A sphere counts as
 //! far as its middle is nearer than the patch.
 //!
 //! What a body gives itself is told by its functions ([`sh_scene::IrradianceBasis::bounced`]). A receiver on it takes
-//! what is told at its patches, by how near they are and how much they face the same way.
+//! what is told at the patches around, by how near they are and how much they face the same way.
 
 use super::accumulate::{Point, dot, each, look, seen_from};
 use super::patch_cut::{Part, PatchCut};
 use super::patch_lights::{Lit, PatchLights, Placed};
 use sh_core::constants::{
-    BEHIND, ENTIRE, JOINED, LIFTED, NEAREST, REFINED, REGION_PATCHES, ROOM, SPLIT,
+    ASKEW, BEHIND, ENTIRE, JOINED, LIFTED, NEAREST, QUARTERS, REFINED, REGION_PATCHES, ROOM, SPLIT,
+    WITHIN,
 };
 use sh_core::{Lane, Routines};
 use sh_scene::Blocker;
-use sh_scene::basis::{Disc, Patch};
+use sh_scene::basis::{Disc, Facet};
 use std::f64::consts::PI;
 
-/// A sphere as receivers see it, in the space of the body that it hides.
+/// A sphere as receivers see it.
 #[derive(Clone, Copy)]
 pub struct Hidden<L> {
     direction: [L; 3],
     sine: L,
     cosine: L,
+    /// One over the sine.
+    steep: L,
     /// How far its middle is.
     far: L,
     /// One over twice its radius.
-    inverse: L,
+    inverse: f32,
 }
 
 /// Receivers in the space of a body.
@@ -64,10 +76,13 @@ where
 {
     let (zero, one) = (point.object.lift(0.0), point.object.lift(1.0));
     let mut sum = [zero; 3];
-    let (mut hiders, mut parts, mut first_hiding) = (0, 0, 0);
+    for (kept, hider) in kept.iter_mut().zip(&cut.hiders) {
+        *kept = see(hider, point);
+    }
+    let (mut parts, mut around, mut first_hiding) = (0, 0, 0);
     for source in &cut.sources {
-        let (first_hider, first_part) = (hiders, parts);
-        (hiders, parts) = (source.hiders_end as usize, source.parts_end as usize);
+        let (first_part, first_around) = (parts, around);
+        (parts, around) = (source.parts_end as usize, source.around_end as usize);
         let (placed, lit) = (
             &bodies[source.body as usize],
             &lights.bodies[source.body as usize],
@@ -79,7 +94,7 @@ where
             let mine = L::select(apart.lt(zero.lift(0.5)), one, zero);
             others = one - mine;
             if own && !lit.own.is_empty() && L::any(zero.lt(mine)) {
-                let given = itself(&local, placed, lit);
+                let given = itself(&local, &cut.around[first_around..around], placed, lit);
                 for (sum, given) in sum.iter_mut().zip(given) {
                     *sum = mine.mul_add(given, *sum);
                 }
@@ -88,20 +103,10 @@ where
                 continue;
             }
         }
-        for (kept, hider) in kept.iter_mut().zip(&cut.hiders[first_hider..hiders]) {
-            *kept = see(hider, placed, point);
-        }
         for part in &cut.parts[first_part..parts] {
             let hiding = &cut.hiding[first_hiding..part.hiding_end as usize];
             first_hiding = part.hiding_end as usize;
-            let given = region::<L, C>(
-                &local,
-                part,
-                placed,
-                lit,
-                #[inline(always)]
-                |towards, far, sine| left(towards, far, sine, hiding, kept),
-            );
+            let given = region::<L, C>(&local, part, (placed, lit), (hiding, kept));
             for (sum, given) in sum.iter_mut().zip(given) {
                 *sum = others.mul_add(given, *sum);
             }
@@ -152,6 +157,20 @@ fn turned<L: Lane>(turn: &[[f32; 3]; 3], v: [L; 3]) -> [L; 3] {
     )
 }
 
+/// A direction of a body's space in the world.
+#[inline(always)]
+fn world<L: Lane>(placed: &Placed, [x, y, z]: [L; 3]) -> [L; 3] {
+    let turn = placed.turn.to_cols_array_2d();
+    let lift = |v: f32| x.lift(f64::from(v));
+    each(
+        #[inline(always)]
+        |k| {
+            let [a, b, c] = turn[k];
+            x.mul_add(lift(a), y.mul_add(lift(b), z * lift(c)))
+        },
+    )
+}
+
 /// What is seen of a place: how far it is, squared and not, and the unit vector towards it.
 #[inline(always)]
 fn towards<L: Lane>(center: [f32; 3], local: &Local<L>) -> (L, L, [L; 3]) {
@@ -170,14 +189,70 @@ fn towards<L: Lane>(center: [f32; 3], local: &Local<L>) -> (L, L, [L; 3]) {
     (square, far, direction)
 }
 
-/// What a region gives, as a whole or patch by patch.
+/// The disc in the sky that something is taken for.
+#[derive(Clone, Copy)]
+struct Cone<L> {
+    direction: [L; 3],
+    far: L,
+    sine: L,
+    cosine: L,
+    /// One over the sine.
+    steep: L,
+}
+
+impl<L: Lane> Cone<L> {
+    /// The direction back to the receiver.
+    #[inline(always)]
+    fn back(&self) -> [L; 3] {
+        let [x, y, z] = self.direction;
+        [-x, -y, -z]
+    }
+
+    /// That of the same place in the world, if it is one in the space of a body.
+    #[inline(always)]
+    fn world(&self, placed: &Placed) -> Self {
+        Self {
+            direction: world(placed, self.direction),
+            far: self.far * self.far.lift(f64::from(placed.scale)),
+            ..*self
+        }
+    }
+
+    /// That of a disc so far away along a vector.
+    #[inline(always)]
+    fn towards(away: [L; 3], (square, far): (L, L), area: f32) -> Self {
+        let inverse = far.lift(1.0) / far;
+        let direction = each(
+            #[inline(always)]
+            |k| away[k] * inverse,
+        );
+        Self::new(direction, (square, far), f64::from(area) / PI)
+    }
+
+    /// That of a disc in this unit direction, so far away, of this area over π.
+    #[inline(always)]
+    fn new(direction: [L; 3], (square, far): (L, L), area: f64) -> Self {
+        let one = far.lift(1.0);
+        let whole = square + far.lift(area);
+        let inverse = (one / whole).sqrt();
+        let root = area.sqrt();
+        Self {
+            direction,
+            far,
+            sine: inverse * far.lift(root),
+            cosine: inverse * far,
+            steep: whole * inverse * far.lift(1.0 / root),
+        }
+    }
+}
+
+/// What a region gives: as a whole, by its quarters, or patch by patch.
 #[inline(always)]
 fn region<L: Lane, const C: usize>(
     local: &Local<L>,
     part: &Part,
-    placed: &Placed,
-    lit: &Lit,
-    left: impl Fn([L; 3], L, L) -> L,
+    (placed, lit): (&Placed, &Lit),
+    (hiding, kept): (&[u8], &[Hidden<L>; ROOM]),
 ) -> [L; 3]
 where
     [L; C]: Routines<L>,
@@ -187,18 +262,39 @@ where
     let (square, far, direction) = towards(region.center, local);
     let (zero, one) = (far.lift(0.0), far.lift(1.0));
     let mut sum = [zero; 3];
+    let mut few = [0; ROOM];
+    let hiding = match part.patches {
+        0 => hiding,
+        _ => {
+            let around = f64::from(region.radius) * AROUND;
+            let towards = (world(placed, direction), far);
+            may_hide(towards, around, (hiding, kept), &mut few)
+        }
+    };
     // Whether it counts as a whole: 0 nearby, 1 from afar.
-    let radii = f64::from(region.radius).max(NEAREST) * (ENTIRE - REFINED);
-    let start = REFINED / (ENTIRE - REFINED);
-    let whole = far.mul_add(far.lift(1.0 / radii), -far.lift(start));
-    let whole = whole.max(zero).min(one);
-    if part.whole {
+    let whole;
+    if region.whole.disc.area > 0.0 {
+        let seen = Seen::of(&region.whole.disc, local);
+        whole = seen.whole;
+        let open = seen.open * whole;
+        if part.whole && L::any(zero.lt(open)) {
+            let cone = seen.cone();
+            let shown = escape(&region.whole, cone.back());
+            let open = open * shown * left(&cone.world(placed), hiding, kept);
+            let all = at * REGION_PATCHES..(at + 1) * REGION_PATCHES;
+            add(&mut sum, lit.mean(all), open);
+        }
+    } else {
+        let radii = f64::from(region.radius).max(NEAREST) * (ENTIRE - REFINED);
+        let start = REFINED / (ENTIRE - REFINED);
+        let afar = far.mul_add(far.lift(1.0 / radii), -far.lift(start));
+        whole = afar.max(zero).min(one);
         let facing = dot(direction, local.normal).max(zero) * whole;
-        if L::any(zero.lt(facing)) {
-            let radius = far.lift(f64::from(region.radius));
-            let seen = left(direction, far, (radius / far).min(one));
-            let back = [-direction[0], -direction[1], -direction[2]];
-            let basis = <[L; C]>::basis(back);
+        if part.whole && L::any(zero.lt(facing)) {
+            let radius = f64::from(region.radius).max(NEAREST);
+            let cone = Cone::new(direction, (square, far), radius * radius);
+            let seen = left(&cone.world(placed), hiding, kept);
+            let basis = <[L; C]>::basis(cone.back());
             let open = facing * seen / (square * far.lift(PI));
             let emission = &lit.emission[at * C..][..C];
             for (c, sum) in sum.iter_mut().enumerate() {
@@ -214,85 +310,210 @@ where
     if part.patches == 0 || !L::any(zero.lt(near)) {
         return sum;
     }
-    let mut rest = part.patches;
-    while rest != 0 {
-        let m = at * REGION_PATCHES + rest.trailing_zeros() as usize;
-        rest &= rest - 1;
-        let patch = &placed.patches[m];
-        if patch.whole.area <= 0.0 {
+    for (quarter, facet) in region.quarters.iter().enumerate() {
+        let mut rest = part.patches >> (quarter * QUARTER) & ((1 << QUARTER) - 1);
+        if rest == 0 {
             continue;
         }
-        let (given, away) = given(&patch.whole, local);
-        let square = dot(away, away);
-        let far = square.sqrt();
-        // Whether it counts as a whole.
-        let roots = f64::from(patch.whole.area).sqrt() * (JOINED - SPLIT);
-        let start = SPLIT / (JOINED - SPLIT);
-        let whole = far.mul_add(far.lift(1.0 / roots), -far.lift(start));
-        let whole = whole.max(zero).min(one);
-        let mut open = given * whole;
-        if L::any(whole.lt(one)) {
-            let mut parts = zero;
-            for disc in patch.discs.iter().filter(|disc| disc.area > 0.0) {
-                parts = parts + self::given(disc, local).0;
+        let first = at * REGION_PATCHES + quarter * QUARTER;
+        let mut near = near;
+        if facet.disc.area > 0.0 {
+            let seen = Seen::of(&facet.disc, local);
+            let open = seen.open * seen.whole * near;
+            if L::any(zero.lt(open)) {
+                let cone = seen.cone();
+                let open =
+                    open * escape(facet, cone.back()) * left(&cone.world(placed), hiding, kept);
+                add(&mut sum, lit.mean(first..first + QUARTER), open);
             }
-            open = (one - whole).mul_add(parts, open);
+            near = near * (one - seen.whole);
+            if !L::any(zero.lt(near)) {
+                continue;
+            }
         }
-        let open = open * near;
-        if !L::any(zero.lt(open)) {
-            continue;
-        }
-        let inverse = one / far;
-        let direction = each(
-            #[inline(always)]
-            |k| away[k] * inverse,
-        );
-        let back = [-direction[0], -direction[1], -direction[2]];
-        let area = far.lift(f64::from(patch.whole.area) / PI);
-        let radius = (area / (area + square)).sqrt();
-        let given = open * escape(patch, back) * left(direction, far, radius);
-        let radiance = &lit.radiance[m];
-        for (c, sum) in sum.iter_mut().enumerate() {
-            *sum = given.mul_add(far.lift(f64::from(radiance[c])), *sum);
+        while rest != 0 {
+            let m = first + rest.trailing_zeros() as usize;
+            rest &= rest - 1;
+            let patch = &placed.patches[m];
+            let disc = &patch.whole.disc;
+            if disc.area <= 0.0 {
+                continue;
+            }
+            let seen = Seen::of(disc, local);
+            let mut open = seen.open * seen.whole;
+            if L::any(seen.whole.lt(one)) {
+                let mut parts = zero;
+                for disc in patch.discs.iter().filter(|disc| disc.area > 0.0) {
+                    parts = parts + lifted(disc, local);
+                }
+                open = (one - seen.whole).mul_add(parts, open);
+            }
+            let open = open * near;
+            if !L::any(zero.lt(open)) {
+                continue;
+            }
+            let cone = seen.lifted();
+            let open =
+                open * escape(&patch.whole, cone.back()) * left(&cone.world(placed), hiding, kept);
+            add(&mut sum, lit.radiance[m], open);
         }
     }
     sum
 }
 
-/// What a disc gives of its radiance, and the way to it from where the receiver is lifted to.
+/// The ball around all discs of a region, over that around its samples: with what receivers are lifted off them.
+const AROUND: f64 = 1.5;
+
+/// Which spheres may hide a part of a ball from some of these receivers: those of a cluster lie farther apart.
 #[inline(always)]
-fn given<L: Lane>(disc: &Disc, local: &Local<L>) -> (L, [L; 3]) {
+fn may_hide<'a, L: Lane>(
+    (direction, far): ([L; 3], L),
+    radius: f64,
+    (hiding, kept): (&[u8], &[Hidden<L>; ROOM]),
+    found: &'a mut [u8; ROOM],
+) -> &'a [u8] {
+    let one = far.lift(1.0);
+    let sine = (far.lift(radius) / far).min(one);
+    let cosine = (-sine).mul_add(sine, one).max(far.lift(0.0)).sqrt();
+    let within = far.lt(far.lift(radius));
+    let mut count = 0;
+    for &at in hiding {
+        let other = &kept[usize::from(at) % ROOM];
+        let least = other.cosine.mul_add(cosine, -(other.sine * sine));
+        let near = L::select(within, one, dot(direction, other.direction) - least);
+        if L::any(far.lift(0.0).lt(near)) {
+            found[count % ROOM] = at;
+            count += 1;
+        }
+    }
+    &found[..count.min(ROOM)]
+}
+
+#[inline(always)]
+fn add<L: Lane>(sum: &mut [L; 3], radiance: [f32; 3], open: L) {
+    for (sum, radiance) in sum.iter_mut().zip(radiance) {
+        *sum = open.mul_add(open.lift(f64::from(radiance)), *sum);
+    }
+}
+
+/// Patches of a quarter of a region.
+const QUARTER: usize = REGION_PATCHES / QUARTERS;
+
+/// A disc as a receiver sees it.
+struct Seen<'a, L> {
+    disc: &'a Disc,
+    away: [L; 3],
+    square: L,
+    far: L,
+    height: L,
+    /// What it gives of its radiance to whoever is not next to it.
+    open: L,
+    /// Whether it counts as a whole: 0 nearby, 1 from afar.
+    whole: L,
+}
+
+impl<'a, L: Lane> Seen<'a, L> {
+    #[inline(always)]
+    fn of(disc: &'a Disc, local: &Local<L>) -> Self {
+        let zero = local.position[0].lift(0.0);
+        let one = zero.lift(1.0);
+        let (away, normal) = (way(disc, local), facing(disc, zero));
+        let height = -dot(away, normal);
+        let front = height.max(zero);
+        let above = dot(away, local.normal);
+        let square = dot(away, away).max(zero.lift(NEAREST));
+        let area = f64::from(disc.area) / PI;
+        let wide = square + zero.lift(area);
+        let inverse = one / (square * wide);
+        let size = zero.lift(area) * wide * inverse;
+        let steep = front * front * wide * inverse;
+        let bent = size * steep.mul_add(zero.lift(-3.0), zero.lift(2.0));
+        let aside = size * front * dot(normal, local.normal);
+        let open = above.mul_add(bent, above) - aside;
+        let far = square.sqrt();
+        let roots = f64::from(disc.area).sqrt() * (JOINED - SPLIT);
+        let start = SPLIT / (JOINED - SPLIT);
+        let whole = far.mul_add(far.lift(1.0 / roots), -far.lift(start));
+        Self {
+            disc,
+            away,
+            square,
+            far,
+            height,
+            open: open.max(zero) * front * inverse * zero.lift(area),
+            whole: whole.max(zero).min(one),
+        }
+    }
+
+    /// The disc in the sky that it is.
+    #[inline(always)]
+    fn cone(&self) -> Cone<L> {
+        Cone::towards(self.away, (self.square, self.far), self.disc.area)
+    }
+
+    /// That from where the receiver is lifted to.
+    #[inline(always)]
+    fn lifted(&self) -> Cone<L> {
+        let up = lift(self.disc, self.height) - self.height;
+        let normal = facing(self.disc, up);
+        let away = each(
+            #[inline(always)]
+            |k| (-up).mul_add(normal[k], self.away[k]),
+        );
+        let square = dot(away, away);
+        Cone::towards(away, (square, square.sqrt()), self.disc.area)
+    }
+}
+
+#[inline(always)]
+fn way<L: Lane>(disc: &Disc, local: &Local<L>) -> [L; 3] {
+    each(
+        #[inline(always)]
+        |k| local.position[0].lift(f64::from(disc.center[k])) - local.position[k],
+    )
+}
+
+#[inline(always)]
+fn facing<L: Lane>(disc: &Disc, like: L) -> [L; 3] {
+    each(
+        #[inline(always)]
+        |k| like.lift(f64::from(disc.normal[k])),
+    )
+}
+
+/// How high above a disc's plane a receiver is lifted to that is so high.
+#[inline(always)]
+fn lift<L: Lane>(disc: &Disc, height: L) -> L {
+    let least = f64::from(disc.area).sqrt() * LIFTED;
+    height.mul_add(height, height.lift(least * least)).sqrt()
+}
+
+/// What a disc gives of its radiance to a receiver that is lifted.
+#[inline(always)]
+fn lifted<L: Lane>(disc: &Disc, local: &Local<L>) -> L {
     let zero = local.position[0].lift(0.0);
     let one = zero.lift(1.0);
-    let lift = |x: f32| zero.lift(f64::from(x));
-    let normal = each(
-        #[inline(always)]
-        |k| lift(disc.normal[k]),
-    );
-    let away = each(
-        #[inline(always)]
-        |k| lift(disc.center[k]) - local.position[k],
-    );
+    let (away, normal) = (way(disc, local), facing(disc, zero));
     let height = -dot(away, normal);
-    let least = f64::from(disc.area).sqrt() * LIFTED;
-    let lifted = height.mul_add(height, zero.lift(least * least)).sqrt();
+    let lifted = lift(disc, height);
     let up = lifted - height;
     let away = each(
         #[inline(always)]
         |k| (-up).mul_add(normal[k], away[k]),
     );
     let above = dot(away, local.normal).max(zero);
+    let least = f64::from(disc.area).sqrt() * LIFTED;
     let front = height.mul_add(zero.lift(1.0 / (least * BEHIND)), one);
     let front = front.max(zero).min(one);
     let inverse = one / dot(away, away);
     let open = zero.lift(f64::from(disc.area) / PI) * inverse * inverse;
-    (open * lifted * above * front, away)
+    open * lifted * above * front
 }
 
-/// How much of a patch its own body leaves to be seen from a direction.
+/// How much of a part of it a body leaves to be seen from a direction.
 #[inline(always)]
-fn escape<L: Lane>(patch: &Patch, [x, y, z]: [L; 3]) -> L {
-    let [b, square, mixed] = &patch.escape;
+fn escape<L: Lane>(facet: &Facet, [x, y, z]: [L; 3]) -> L {
+    let [b, square, mixed] = &facet.escape;
     let lift = |v: f32| x.lift(f64::from(v));
     let along = |v: &[f32; 4], a: L, b: L, c: L| {
         a.mul_add(lift(v[0]), b.mul_add(lift(v[1]), c * lift(v[2])))
@@ -303,45 +524,46 @@ fn escape<L: Lane>(patch: &Patch, [x, y, z]: [L; 3]) -> L {
     seen.max(x.lift(0.0)).min(x.lift(1.0))
 }
 
-/// A sphere as receivers see it, in the space of a body.
+/// A sphere as receivers see it.
 #[inline(always)]
-fn see<L: Lane>(hider: &Blocker, placed: &Placed, point: &Point<L>) -> Hidden<L>
+fn see<L: Lane>(hider: &Blocker, point: &Point<L>) -> Hidden<L>
 where
     [L; 4]: Routines<L>,
 {
     let seen = look(hider, false, point);
     let (zero, one) = (seen.sine.lift(0.0), seen.sine.lift(1.0));
     let away = seen_from(&hider.center, point);
-    let inverse = one.lift(1.0 / f64::from(placed.scale));
-    let radius = f64::from(hider.radius / placed.scale);
     Hidden {
-        direction: turned(&placed.turn.to_cols_array_2d(), seen.direction),
+        direction: seen.direction,
         sine: seen.sine,
         cosine: (-seen.sine).mul_add(seen.sine, one).max(zero).sqrt(),
-        far: dot(away, away).sqrt() * inverse,
-        inverse: one.lift(0.5 / radius.max(NEAREST)),
+        steep: one / seen.sine.max(one.lift(NEAREST)),
+        far: dot(away, away).sqrt(),
+        inverse: 0.5 / hider.radius.max(NEAREST as f32),
     }
 }
 
-/// What some spheres leave of a disc in a direction, so far away, of so large an angular radius.
+/// What some spheres leave of a disc in the sky.
 #[inline(always)]
-fn left<L: Lane>(direction: [L; 3], far: L, sine: L, hiding: &[u8], kept: &[Hidden<L>; ROOM]) -> L {
-    let (zero, one) = (far.lift(0.0), far.lift(1.0));
-    let cosine = (-sine).mul_add(sine, one).max(zero).sqrt();
+fn left<L: Lane>(cone: &Cone<L>, hiding: &[u8], kept: &[Hidden<L>; ROOM]) -> L {
+    let (zero, one) = (cone.far.lift(0.0), cone.far.lift(1.0));
     let mut left = one;
     for &at in hiding {
         let other = &kept[usize::from(at) % ROOM];
         // From cos (a + b), where the discs touch, to cos (a − b), where one lies in the other.
-        let across = other.sine * sine;
-        let over = dot(direction, other.direction) - other.cosine.mul_add(cosine, -across);
+        let across = other.sine * cone.sine;
+        let over =
+            dot(cone.direction, other.direction) - other.cosine.mul_add(cone.cosine, -across);
         if !L::any(zero.lt(over)) {
             continue;
         }
-        let twice = (across + across).max(far.lift(NEAREST));
-        let x = (over / twice).max(zero).min(one);
-        let x = x * x * (far.lift(3.0) - x - x);
-        let size = (other.sine * other.sine / (sine * sine).max(far.lift(NEAREST))).min(one);
-        let before = (far - other.far).mul_add(other.inverse, far.lift(0.5));
+        let x = over * other.steep * cone.steep * one.lift(0.5);
+        let x = x.max(zero).min(one);
+        let x = x * x * (one.lift(3.0) - x - x);
+        let size = other.sine * cone.steep;
+        let size = (size * size).min(one);
+        let inverse = one.lift(f64::from(other.inverse));
+        let before = (cone.far - other.far).mul_add(inverse, one.lift(0.5));
         let before = before.max(zero).min(one);
         left = left * (-(x * size)).mul_add(before, one);
     }
@@ -356,36 +578,37 @@ impl<L: Lane> Hidden<L> {
             direction: [zero; 3],
             sine: zero,
             cosine: zero.lift(1.0),
+            steep: zero,
             far: zero,
-            inverse: zero,
+            inverse: 0.0,
         }
     }
 }
 
 /// What a body gives a receiver on it: what it gives its patches, by nearness.
 #[inline(always)]
-fn itself<L: Lane>(local: &Local<L>, placed: &Placed, lit: &Lit) -> [L; 3] {
+fn itself<L: Lane>(local: &Local<L>, around: &[u32], placed: &Placed, lit: &Lit) -> [L; 3] {
     let zero = local.position[0].lift(0.0);
+    let one = zero.lift(1.0);
     let (mut sum, mut all) = ([zero; 3], zero.lift(NEAREST));
-    for (patch, own) in placed.patches.iter().zip(&lit.own) {
-        let disc = &patch.whole;
-        let away = each(
-            #[inline(always)]
-            |k| zero.lift(f64::from(disc.center[k])) - local.position[k],
-        );
-        let normal = each(
-            #[inline(always)]
-            |k| zero.lift(f64::from(disc.normal[k])),
-        );
-        let facing = dot(normal, local.normal).max(zero);
+    for &m in around {
+        let disc = &placed.patches[m as usize].whole.disc;
+        let own = &lit.own[m as usize];
+        let away = way(disc, local);
+        let square = dot(away, away);
+        let reach = WITHIN * WITHIN * f64::from(disc.area);
+        let within = square
+            .mul_add(zero.lift(-1.0 / reach.max(NEAREST)), one)
+            .max(zero);
+        let facing = dot(facing(disc, zero), local.normal).max(zero) + zero.lift(ASKEW);
         let area = zero.lift(0.5 * f64::from(disc.area));
-        let near = facing * area / (dot(away, away) + area);
+        let near = facing * area / (square + area) * within;
         let near = near * near;
         all = all + near;
         for (c, sum) in sum.iter_mut().enumerate() {
             *sum = near.mul_add(zero.lift(f64::from(own[c])), *sum);
         }
     }
-    let inverse = zero.lift(1.0) / all;
+    let inverse = one / all;
     [sum[0] * inverse, sum[1] * inverse, sum[2] * inverse]
 }

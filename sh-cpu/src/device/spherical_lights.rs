@@ -30,8 +30,10 @@ pub(crate) struct Points {
     pub clusters: Vec<Range<usize>>,
     /// Light that no body has sent.
     pub radiance: Vec<[f32; 3]>,
-    /// Light that bodies have sent.
+    /// Light that bodies have sent, on the first of them.
     pub sent: Vec<[f32; 3]>,
+    /// How many take it, if not all, in how many clusters.
+    pub few: Option<[usize; 2]>,
 }
 
 impl SphericalLights {

@@ -35,32 +35,38 @@ pub(crate) fn basis_update<'a>(
         return Err(OrderError(order).into());
     }
     let bases: Vec<&IrradianceBasis> = bodies.map(|body| body.basis).collect();
-    let expected = bases.iter().map(|basis| basis.patches()).sum();
-    let found = points.radiance.len().min(points.sent.len());
-    if found != expected || bases.len() != lights.bodies.len() {
-        return Err(Error::Length {
-            buffer: "light of patches",
-            expected,
-            found,
-        });
+    let all: usize = bases.iter().map(|basis| basis.patches()).sum();
+    let few: usize = bases.iter().map(|basis| basis.few()).sum();
+    for (expected, found) in [(all, points.radiance.len()), (few, points.sent.len())] {
+        if found != expected || bases.len() != lights.bodies.len() {
+            return Err(Error::Length {
+                buffer: "light of patches",
+                expected,
+                found,
+            });
+        }
     }
     lights.coefficients = order * order;
     let coefficients = lights.coefficients;
-    let starts = bases.iter().scan(0, |first, basis| {
-        let start = *first;
-        *first += basis.patches();
-        Some(start)
+    // Of all bodies the few come first.
+    let starts = bases.iter().scan([0, few], |next, basis| {
+        let starts = *next;
+        *next = [
+            starts[0] + basis.few(),
+            starts[1] + basis.patches() - basis.few(),
+        ];
+        Some(starts)
     });
-    let starts: Vec<usize> = starts.collect();
+    let starts: Vec<[usize; 2]> = starts.collect();
     let each = lights
         .bodies
         .par_iter_mut()
         .zip(bases.into_par_iter().zip(starts));
-    each.for_each(|(lit, (basis, first))| {
-        let own = first..first + basis.patches();
-        let light = points.radiance[own.clone()].iter().zip(&points.sent[own]);
-        let fallen: Vec<[f32; 3]> = light.map(sum).collect();
-        lit.update(basis, &fallen, coefficients);
+    each.for_each(|(lit, (basis, [first, rest]))| {
+        let few = first..first + basis.few();
+        let rest = rest..rest + basis.patches() - basis.few();
+        let light = [&points.radiance[few.clone()], &points.radiance[rest]];
+        lit.update(basis, &light.concat(), &points.sent[few], coefficients);
     });
     let radiance = lights.bodies.iter().flat_map(|lit| &lit.radiance);
     lights.brightest = radiance.fold([0.0; 3], |most, of| {
@@ -70,12 +76,22 @@ pub(crate) fn basis_update<'a>(
 }
 
 impl Lit {
-    fn update(&mut self, basis: &IrradianceBasis, fallen: &[[f32; 3]], coefficients: usize) {
-        let all: Vec<[f32; 3]> = match self.own.is_empty() {
-            true => fallen.to_vec(),
-            false => fallen.iter().zip(&self.own).map(sum).collect(),
-        };
-        self.weights = basis.weights(&all);
+    /// Of light on all points, in their order, and of what bodies have sent on the few.
+    fn update(
+        &mut self,
+        basis: &IrradianceBasis,
+        light: &[[f32; 3]],
+        sent: &[[f32; 3]],
+        coefficients: usize,
+    ) {
+        let mut all = std::mem::take(&mut self.own);
+        all.resize(basis.patches(), [0.0; 3]);
+        for (light, patch) in light.iter().zip(basis.order()) {
+            all[*patch] = sum((light, &all[*patch]));
+        }
+        let told = basis.weights(&all);
+        let others = basis.weights_of_few(sent);
+        self.weights = told.iter().zip(&others).map(sum).collect();
         self.own = basis.bounced(&self.weights);
         self.radiance = basis.sent(&self.weights);
         let regions = basis.shape().regions.len();

@@ -89,6 +89,7 @@ pub struct Frames {
     /// The surface points that they were found with.
     points: Points,
     patch_cuts: PatchCuts,
+    point_cuts: PatchCuts,
     patch_lights: PatchLights,
     /// The points of patches that these were found with.
     patches: Points,
@@ -274,6 +275,7 @@ impl Frames {
                 light_cuts: &mut self.light_cuts,
                 patch_lights: &mut self.patch_lights,
                 patch_cuts: &mut self.patch_cuts,
+                point_cuts: &mut self.point_cuts,
                 counts: Counts::default(),
             },
             sets: Sets {

@@ -40,7 +40,7 @@ impl SphericalLights {
             cuts,
             light_cuts,
         } = &mut room;
-        let (mut patch_lights, mut patch_cuts) = Default::default();
+        let (mut patch_lights, mut patch_cuts, mut point_cuts) = Default::default();
         let mut spheres = Spheres {
             path,
             forest,
@@ -57,6 +57,7 @@ impl SphericalLights {
             light_cuts,
             patch_lights: &mut patch_lights,
             patch_cuts: &mut patch_cuts,
+            point_cuts: &mut point_cuts,
             counts: Counts::default(),
         };
         let mut stages = Stages::default();

@@ -11,7 +11,7 @@ use crate::passes::light_gather::{LightGather, light_gather};
 use crate::passes::light_update::light_update;
 use crate::passes::shadow::{Shadow, shadow_clusters};
 use crate::store::{Set, Spheres};
-use sh_scene::{BasisBody, Body, Settings};
+use sh_scene::{BasisBody, Body, Domain, Settings};
 
 impl Spheres<'_> {
     /// Light through the visibility of all blockers.
@@ -86,21 +86,26 @@ impl Spheres<'_> {
         Ok(sent)
     }
 
-    /// What patches send to receivers; `own`: what their own body gives itself among it.
+    /// What patches send to the receivers of a domain. To points of patches what their own body gives itself is not among it: that
+    /// is in its weights already.
     pub(super) fn gather_patches<'a>(
         &mut self,
-        set: &Set,
+        (set, at): (&Set, Domain),
         bodies: impl Iterator<Item = BasisBody<'a>>,
-        own: bool,
         stages: &mut Stages,
     ) -> Result<Vec<[f32; 3]>, Error> {
         let (receivers, clusters) = (set.receivers, set.clusters);
-        let (path, cuts, lights) = (self.path, &mut *self.patch_cuts, &*self.patch_lights);
+        let (path, lights, limits) = (self.path, &*self.patch_lights, self.settings.limits);
         let bodies: Vec<Placed> = bodies.map(Placed::of).collect();
-        let limits = self.settings.limits;
-        stages.time("patch_cut", || {
-            cuts.find((receivers, clusters), self.forest, &bodies, limits);
-        });
+        let (cuts, own) = match at {
+            Domain::Patches => (&mut *self.point_cuts, false),
+            _ => (&mut *self.patch_cuts, true),
+        };
+        if own || cuts.clusters.is_empty() {
+            stages.time("patch_cut", || {
+                cuts.find((receivers, clusters), self.forest, &bodies, limits);
+            });
+        }
         let mut sent = vec![[0.0; 3]; receivers.len()];
         let gather = BasisGather {
             clusters,

@@ -34,11 +34,12 @@ static TWINS: [Twin; 13] = [
         pass: &POINTS,
         run: |store, at, _, stages| {
             let objects = &store.scene.objects;
-            let (sets, lights) = (&mut store.sets, &mut store.spheres.patch_lights);
+            let (sets, spheres) = (&mut store.sets, &mut store.spheres);
             stages.time("points", || match at {
                 Domain::Patches => {
                     place_patches(BasisBody::all(objects), &mut sets.patches);
-                    dark(BasisBody::all(objects), lights);
+                    dark(BasisBody::all(objects), spheres.patch_lights);
+                    spheres.point_cuts.clusters.clear();
                 }
                 _ => place(objects.iter().map(Body::from), &mut sets.points),
             });
@@ -142,7 +143,7 @@ static TWINS: [Twin; 13] = [
     Twin {
         pass: &LIGHT_GATHER,
         run: |store, at, _, stages| {
-            let set = store.sets.of(at);
+            let set = store.sets.gathering(at);
             let gathered = store.spheres.gather(&set, stages)?;
             match set.sent {
                 Some(sent) => *sent = gathered,
@@ -164,11 +165,9 @@ static TWINS: [Twin; 13] = [
     Twin {
         pass: &BASIS_GATHER,
         run: |store, at, _, stages| {
-            let set = store.sets.of(at);
+            let set = store.sets.gathering(at);
             let bodies = BasisBody::all(&store.scene.objects);
-            // What bodies give themselves is in their weights already.
-            let own = at != Domain::Patches;
-            let gathered = store.spheres.gather_patches(&set, bodies, own, stages)?;
+            let gathered = store.spheres.gather_patches((&set, at), bodies, stages)?;
             // What spheres have sent comes first.
             let first = Facts::of(store.scene, at == Domain::Receivers)
                 .senders

@@ -47,19 +47,13 @@ pub fn object(mesh: Mesh, transform: Affine3A) -> Object {
     Object {
         name: "body".into(),
         mesh,
-        material: Material {
-            albedo: [1.0; 3],
-            texture: None,
-        },
+        material: Material::diffuse([1.0; 3]),
         transform,
         spheres: vec![Sphere {
             center: [0.0; 3],
             radius,
         }],
-        weights: Vec::new(),
-        part_of: None,
-        basis: None,
-        surface: Default::default(),
+        ..Object::default()
     }
 }
 

@@ -23,9 +23,6 @@ fn heap(numbers: &mut Numbers, count: usize, spread: f32) -> Object {
         })
         .collect();
     Object {
-        weights: Vec::new(),
-        part_of: None,
-        basis: None,
         surface: surface(numbers, &spheres),
         spheres,
         transform: Affine3A::from_scale_rotation_translation(

@@ -3,7 +3,7 @@
 #[path = "../../../tests/shared/ball_basis.rs"]
 mod ball_basis;
 
-use ball_basis::ball_basis;
+use ball_basis::{ball_basis, panel_basis};
 use glam::{Affine3A, Quat, Vec3};
 use sh_scene::surface::{SurfacePoint, SurfaceSamples, directions};
 use sh_scene::{
@@ -85,10 +85,7 @@ pub fn standing_quad() -> Scene {
     let object = Object {
         name: "quad".into(),
         mesh: quad(Vec3::ZERO, Vec3::X, Vec3::Y),
-        material: Material {
-            albedo: [0.25, 0.5, 0.75],
-            texture: None,
-        },
+        material: Material::diffuse([0.25, 0.5, 0.75]),
         transform: Affine3A::from_translation(Vec3::Y),
         spheres: vec![
             Sphere {
@@ -100,10 +97,7 @@ pub fn standing_quad() -> Scene {
                 radius: 0.5,
             },
         ],
-        weights: Vec::new(),
-        part_of: None,
-        basis: None,
-        surface: Default::default(),
+        ..Object::default()
     };
     let mut numbers = Numbers(5);
     let pixels = (0..32 * 16)
@@ -243,7 +237,8 @@ pub fn bouncing() -> Scene {
     scene
 }
 
-/// Balls that send light on by their patches, three times, beside a quad that does so by its spheres.
+/// Balls that send light on by their patches, three times, on a flat body that does so too, beside a quad that does so by its
+/// spheres.
 pub fn shining() -> Scene {
     let mut scene = ball_and_quad();
     let mut numbers = Numbers(33);
@@ -259,6 +254,18 @@ pub fn shining() -> Scene {
         ),
         basis: Some(ball_basis(&mut || numbers.next(), 0.5, 4)),
         ..scene.objects[1].clone()
+    });
+    // Flat, and with so few functions that some of its points are enough for what bodies send.
+    let panel = panel_basis(&mut || numbers.next(), 4.0, 2);
+    assert!(panel.few() < panel.patches());
+    scene.objects.push(Object {
+        name: "panel".into(),
+        transform: Affine3A::from_rotation_translation(
+            Quat::from_rotation_x(std::f32::consts::PI),
+            Vec3::new(-2.0, 2.5, 2.0),
+        ),
+        basis: Some(panel),
+        ..Object::default()
     });
     scene.settings.indirect = Some(Indirect {
         method: Method::BasisIrradiance,

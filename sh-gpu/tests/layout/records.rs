@@ -5,7 +5,7 @@ use sh_gpu::records::{
     Band, Basis, Body, Lighting, ScreenSource, Sender, UpsampleRule, VertexSource,
 };
 use sh_kernels::{MAX_ORDER, MIN_ORDER, Pass, source};
-use sh_scene::basis::{Disc, Patch};
+use sh_scene::basis::{Disc, Facet, Patch, Region};
 use sh_scene::surface::SurfacePoint;
 use sh_scene::{Emitter, Node, Receiver};
 use std::mem::offset_of;
@@ -105,7 +105,8 @@ fn records_are_laid_out_alike() {
                     sends,
                     light,
                     own,
-                    unused
+                    few,
+                    first_few
                 }
             );
         }
@@ -119,13 +120,16 @@ fn records_are_laid_out_alike() {
                 unused
             }
         );
+        same_layout!(Pass::BasisGather, order, Facet { disc, escape });
+        same_layout!(Pass::BasisGather, order, Patch { whole, discs });
         same_layout!(
             Pass::BasisGather,
             order,
-            Patch {
+            Region {
+                center,
+                radius,
                 whole,
-                discs,
-                escape
+                quarters
             }
         );
         for pass in [Pass::LightUpdate, Pass::Shadow, Pass::LightGather] {

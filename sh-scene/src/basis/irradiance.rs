@@ -12,8 +12,14 @@ use sh_core::constants::{MOST_COEFFICIENTS, PATCH_SAMPLES, REGION_PATCHES};
 #[derive(Clone, Debug, PartialEq)]
 pub struct IrradianceBasis {
     parts: BasisParts,
+    /// All patches: those first that take light that bodies have sent.
+    order: Vec<usize>,
+    /// How many these are.
+    few: usize,
     /// Of each function, at all points: what the weights of irradiance are found with.
     dual: Vec<f32>,
+    /// The same at the few.
+    few_dual: Vec<f32>,
     /// What each patch sends on of each function, patch by patch.
     sends: Vec<[f32; 3]>,
     /// Lobes times their patches' areas.
@@ -43,10 +49,15 @@ impl IrradianceBasis {
         }
         let area = parts.area * PATCH_SAMPLES as f32;
         let lobes = parts.lobes.iter();
+        let few = weights::few(patches, count);
+        let order = weights::order(patches, few);
         Some(Self {
             sends: weights::sends(&parts, count),
             lobes: lobes.map(|lobe| lobe.map(|y| area * y)).collect(),
-            dual: weights::dual(&parts.values, count, samples)?,
+            dual: weights::dual(&parts.values, count, &(0..patches).collect::<Vec<_>>())?,
+            few_dual: weights::dual(&parts.values, count, &order[..few])?,
+            order,
+            few,
             shape: Shape::of(&parts),
             parts,
         })
@@ -72,12 +83,22 @@ impl IrradianceBasis {
         &self.parts.samples
     }
 
-    /// Those at which light is looked up.
+    /// Those at which light is looked up: one a patch.
     pub fn points(&self) -> impl ExactSizeIterator<Item = &BasisSample> {
         self.parts
             .samples
             .chunks_exact(PATCH_SAMPLES)
             .map(|s| &s[0])
+    }
+
+    /// All patches in the order in which their points are lit: the [few](Self::few) come first.
+    pub fn order(&self) -> &[usize] {
+        &self.order
+    }
+
+    /// How many of the patches' points take the light that bodies have sent: less than all, since it varies less.
+    pub fn few(&self) -> usize {
+        self.few
     }
 
     /// What each patch gives of each function times albedo, in the mean of its samples: patch by patch.
@@ -115,7 +136,9 @@ impl IrradianceBasis {
             + size_of_val(&self.parts.patches[..])
             + size_of_val(&self.parts.lobes[..])
             + size_of_val(&self.parts.own[..])
+            + size_of_val(&self.order[..])
             + size_of_val(&self.dual[..])
+            + size_of_val(&self.few_dual[..])
             + size_of_val(&self.sends[..])
             + size_of_val(&self.lobes[..])
             + self.shape.bytes()
@@ -126,16 +149,12 @@ impl IrradianceBasis {
     ///
     /// Cost: a multiply-add a point, function and channel.
     pub fn weights(&self, irradiance: &[[f32; 3]]) -> Vec<[f32; 3]> {
-        let weight = |dual: &[f32]| {
-            let mut sum = [0.0; 3];
-            for (value, light) in dual.iter().zip(irradiance) {
-                for (sum, light) in sum.iter_mut().zip(light) {
-                    *sum += value * light;
-                }
-            }
-            sum
-        };
-        self.dual.chunks_exact(self.patches()).map(weight).collect()
+        weights::found(&self.dual, self.patches(), irradiance)
+    }
+
+    /// The same of irradiance that is told at the [few](Self::few) of them, in their [order](Self::order).
+    pub fn weights_of_few(&self, irradiance: &[[f32; 3]]) -> Vec<[f32; 3]> {
+        weights::found(&self.few_dual, self.few, irradiance)
     }
 
     /// Irradiance at a sample, by the weights of the first functions.
@@ -164,5 +183,10 @@ impl IrradianceBasis {
     /// For each function what irradiance at every point is multiplied with, function by function.
     pub fn dual(&self) -> &[f32] {
         &self.dual
+    }
+
+    /// The same at the [few](Self::few).
+    pub fn few_dual(&self) -> &[f32] {
+        &self.few_dual
     }
 }

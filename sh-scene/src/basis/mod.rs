@@ -6,8 +6,8 @@
 //!
 //! What is seen of the body is told by parts of its surface. The paper keeps what is seen of each function as SH vectors at
 //! 24,576 places around the body, and looks between them. Here a *patch* is a flat disc in its place, so that it is right
-//! from wherever it is looked at, from inside of the ball around the body as well; from afar 16 patches are a *region*,
-//! which has an intensity by direction, an SH vector about its middle. What hides a patch, or a sample of a region, behind
+//! from wherever it is looked at, from inside of the ball around the body as well; from farther away four that are flat together
+//! are one disc, and from afar 16 are a *region*, which has an intensity by direction, an SH vector about its middle. What hides a patch, or a sample of a region, behind
 //! the rest of its own body is part of both. They take a fortieth of the room or less, and are in the body's own space: where a
 //! body moves, nothing of it changes.
 //!
@@ -25,7 +25,7 @@ mod weights;
 pub use escape::Escape;
 pub use irradiance::IrradianceBasis;
 pub use parts::{BasisParts, BasisSample};
-pub use records::{Disc, Patch, Region};
+pub use records::{Disc, Facet, Patch, Region};
 #[doc(inline)]
-pub use sh_core::constants::{MOST_COEFFICIENTS, PATCH_SAMPLES, REGION_PATCHES};
+pub use sh_core::constants::{MOST_COEFFICIENTS, PATCH_SAMPLES, QUARTERS, REGION_PATCHES};
 pub use shape::Shape;

@@ -1,7 +1,7 @@
 //! Where a body's regions are.
 
 use super::parts::{BasisParts, BasisSample};
-use super::records::Region;
+use super::records::{Facet, Patch, QUARTER, Region};
 use glam::Vec3;
 use sh_core::constants::{PATCH_SAMPLES, REGION_PATCHES};
 
@@ -23,14 +23,17 @@ impl Shape {
         let low = all().reduce(Vec3::min).unwrap_or_default();
         let high = all().reduce(Vec3::max).unwrap_or_default();
         let center = 0.5 * (low + high);
-        let region = |samples: &[BasisSample]| {
+        let region = |(samples, patches): (&[BasisSample], &[Patch])| {
             let center = samples.iter().map(place).sum::<Vec3>() / samples.len() as f32;
             Region {
                 center: center.into(),
                 radius: farthest(samples.iter().map(place), center),
+                whole: Facet::of(patches),
+                quarters: std::array::from_fn(|k| Facet::of(&patches[k * QUARTER..][..QUARTER])),
             }
         };
-        let regions = parts.samples.chunks_exact(PATCH_SAMPLES * REGION_PATCHES);
+        let samples = parts.samples.chunks_exact(PATCH_SAMPLES * REGION_PATCHES);
+        let regions = samples.zip(parts.patches.chunks_exact(REGION_PATCHES));
         Self {
             regions: regions.map(region).collect(),
             center,

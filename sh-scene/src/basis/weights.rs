@@ -1,7 +1,7 @@
 //! What weights of functions are found with, and what they tell.
 
 use super::parts::BasisParts;
-use sh_core::constants::PATCH_SAMPLES;
+use sh_core::constants::{FEWER, PATCH_SAMPLES};
 
 /// What patches are told of: of each function, patch by patch, times the weights; nowhere below 0.
 pub(super) fn told(rows: &[[f32; 3]], weights: &[[f32; 3]]) -> Vec<[f32; 3]> {
@@ -15,6 +15,24 @@ pub(super) fn told(rows: &[[f32; 3]], weights: &[[f32; 3]]) -> Vec<[f32; 3]> {
         sum.map(|x: f32| x.max(0.0))
     };
     rows.chunks_exact(weights.len().max(1)).map(row).collect()
+}
+
+/// How many of a body's points tell so many functions of the light that bodies have sent: a part of them, if that leaves four a
+/// function.
+pub(super) fn few(patches: usize, count: usize) -> usize {
+    let few = patches / FEWER;
+    if few >= 4 * count { few } else { patches }
+}
+
+/// All patches: of every few the first, then all others.
+pub(super) fn order(patches: usize, few: usize) -> Vec<usize> {
+    if few == patches {
+        return (0..patches).collect();
+    }
+    let first = |patch: &usize| patch.is_multiple_of(FEWER);
+    let (mut order, rest): (Vec<usize>, Vec<usize>) = (0..patches).partition(first);
+    order.extend(rest);
+    order
 }
 
 /// What each patch sends on of each function, in the mean of its samples.
@@ -39,14 +57,32 @@ pub(super) fn sends(parts: &BasisParts, count: usize) -> Vec<[f32; 3]> {
         .collect()
 }
 
+/// The weights of irradiance at so many points, by what they are found with.
+pub(super) fn found(dual: &[f32], points: usize, irradiance: &[[f32; 3]]) -> Vec<[f32; 3]> {
+    let weight = |dual: &[f32]| {
+        let mut sum = [0.0; 3];
+        for (value, light) in dual.iter().zip(irradiance) {
+            for (sum, light) in sum.iter_mut().zip(light) {
+                *sum += value * light;
+            }
+        }
+        sum
+    };
+    dual.chunks_exact(points).map(weight).collect()
+}
+
 /// How dear weights are, over what they tell: what points tell apart loses a thousandth by it, what they do not stays small.
 const STIFF: f64 = 1e-3;
 
-/// What weights are found with, of functions at all samples: (ΨᵀΨ)⁻¹ Ψᵀ at the points. Where points do not tell two functions
-/// apart, neither gets more than its share.
-pub(super) fn dual(values: &[f32], count: usize, samples: usize) -> Option<Vec<f32>> {
-    let at = |i: usize, point: usize| f64::from(values[i * samples + point * PATCH_SAMPLES]);
-    let points = samples / PATCH_SAMPLES;
+/// What weights are found with, of functions at all samples: (ΨᵀΨ)⁻¹ Ψᵀ at the points of these patches. Where points do not tell
+/// two functions apart, neither gets more than its share.
+pub(super) fn dual(values: &[f32], count: usize, patches: &[usize]) -> Option<Vec<f32>> {
+    let samples = values.len() / count;
+    let at = |i: usize, point: usize| {
+        let sample = patches[point] * PATCH_SAMPLES;
+        f64::from(values[i * samples + sample])
+    };
+    let points = patches.len();
     let dot = |i: usize, j: usize| (0..points).map(|p| at(i, p) * at(j, p)).sum::<f64>();
     let mut square: Vec<Vec<f64>> = (0..count)
         .map(|i| (0..count).map(|j| dot(i, j)).collect())

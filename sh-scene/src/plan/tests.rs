@@ -13,11 +13,7 @@ fn scene(spheres: usize, shadows: bool) -> Scene {
     let object = Object {
         name: "ball".into(),
         mesh: Mesh::default(),
-        material: Material {
-            albedo: [0.5; 3],
-            texture: None,
-        },
-        transform: Affine3A::IDENTITY,
+        material: Material::diffuse([0.5; 3]),
         spheres: vec![
             Sphere {
                 center: [0.0; 3],
@@ -25,10 +21,7 @@ fn scene(spheres: usize, shadows: bool) -> Scene {
             };
             spheres
         ],
-        weights: Vec::new(),
-        part_of: None,
-        basis: None,
-        surface: Default::default(),
+        ..Object::default()
     };
     Scene {
         objects: vec![object],
