@@ -173,6 +173,43 @@ fn a_square_gives_what_a_square_gives() {
     }
 }
 
+/// Receivers of several bodies in one cluster get what each gets by itself, as many side by side as are computed at once.
+#[test]
+fn receivers_of_other_bodies_change_nothing() {
+    let ball = body(shapes::ball(0.4, 4), 0.8, 1);
+    let floor = Object {
+        spheres: Vec::new(),
+        transform: Affine3A::from_rotation_translation(
+            Quat::from_rotation_x(-std::f32::consts::FRAC_PI_2),
+            vec3(0.0, -0.5, 0.0),
+        ),
+        ..body(shapes::panel([3.0; 2], [4; 2]), 0.8, 1)
+    };
+    let balls = [vec3(-0.6, 0.0, 0.0), vec3(0.6, 0.0, 0.1)];
+    let mut objects = vec![floor];
+    objects.extend(balls.map(|place| at(&ball, place)));
+    let scene = scene(objects, 2);
+    let on = |k: usize| match k / 32 {
+        0 => {
+            let [x, z] = [k % 8, k / 8].map(|i| 0.3 * i as f32);
+            receiver(vec3(x - 1.05, -0.5, z - 0.45), Vec3::Y, 1)
+        }
+        body => {
+            let out = around(k % 32, 32);
+            receiver(balls[body - 1] + 0.4 * out, out, body as u32 + 1)
+        }
+    };
+    let receivers: Vec<Receiver> = (0..96).map(on).collect();
+    let apart = sent(&scene, &receivers);
+    let plan = Plan::of_receivers(&scene);
+    let one = std::iter::once(0..96).collect::<Vec<_>>();
+    let together = Frames::default().light(&scene, &plan, &receivers, &one);
+    let pairs = together.unwrap().sent.into_iter().zip(apart);
+    let worst = pairs.map(|(a, b)| (a[1] - b).abs()).fold(0.0, f32::max);
+    println!("{worst}");
+    assert!(worst < 1e-4, "{worst}");
+}
+
 /// White bodies in an even sky of 1: with every bounce they come nearer to 1 everywhere, and no farther. What is off is
 /// shadows' order and near discs.
 #[test]

@@ -79,7 +79,7 @@ where
     for (kept, hider) in kept.iter_mut().zip(&cut.hiders) {
         *kept = see(hider, point);
     }
-    let (mut parts, mut around, mut first_hiding) = (0, 0, 0);
+    let (mut parts, mut around) = (0, 0);
     for source in &cut.sources {
         let (first_part, first_around) = (parts, around);
         (parts, around) = (source.parts_end as usize, source.around_end as usize);
@@ -103,6 +103,8 @@ where
                 continue;
             }
         }
+        let before = first_part.checked_sub(1).map(|last| cut.parts[last]);
+        let mut first_hiding = before.map_or(0, |part| part.hiding_end as usize);
         for part in &cut.parts[first_part..parts] {
             let hiding = &cut.hiding[first_hiding..part.hiding_end as usize];
             first_hiding = part.hiding_end as usize;
