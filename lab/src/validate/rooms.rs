@@ -104,7 +104,7 @@ pub(super) fn rows(name: &str, traced: Traced, options: &Options) -> Result<Vec<
 
 /// The room of twelve bodies, and the pot above a plane, in all ways.
 pub(super) fn ways(traced: Traced) -> Result<Vec<Row>, Error> {
-    let mut rows = in_ways(&ROOMS[0], &[[16, 4, 1]], traced)?;
+    let mut rows = in_ways(&ROOMS[0], &[[16, 4, 1], [64, 4, 3]], traced)?;
     rows.extend(in_ways(&ROOMS[1], &WAYS, traced)?);
     Ok(rows)
 }
