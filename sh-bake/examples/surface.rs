@@ -5,7 +5,7 @@
 //! mesh as it bends, over 25 frames, relative to the radius of their spheres: root mean square, all but 1 % of them, and
 //! at most.
 
-use glam::{Affine3A, Vec3};
+use glam::Vec3;
 use sh_bake::{Figure, SphereSet, bake_surface, bind_spheres, grow_spheres, load_mesh};
 use sh_scene::motion::{Motion, Pose, Rig};
 use sh_scene::{Camera, EnvironmentMap, Mesh, Object, Scene, Settings, Sphere, SurfaceSamples};

@@ -10,7 +10,6 @@ use glam::{Affine3A, Vec3};
 use sh_reference::paths::{Options, PathTracer, Radiance, Source};
 use sh_scene::{
     AreaLight, AreaShape, Camera, EnvironmentMap, Ground, Material, Mesh, Object, Scene, Settings,
-    SurfaceSamples,
 };
 
 const UP: [f64; 3] = [0.0, 1.0, 0.0];

@@ -7,7 +7,7 @@ use crate::{
     AreaLight, Camera, Distribution, EnvironmentMap, Ground, Indirect, Material, Mesh, Object,
     Settings, Sphere,
 };
-use glam::{Affine3A, Vec3};
+use glam::Vec3;
 
 fn scene(spheres: usize, shadows: bool) -> Scene {
     let object = Object {
