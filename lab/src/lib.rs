@@ -17,7 +17,8 @@
 pub mod accuracy;
 pub mod basis;
 pub mod bench;
+mod finer;
 pub mod fit;
-pub mod rooms;
+mod rooms;
 pub mod spheres;
 pub mod validate;

@@ -1,5 +1,6 @@
 //! What stands in rooms: each on the height 0 of its own space.
 
+use crate::finer::finer;
 use glam::Vec3;
 use sh_bake::shapes::{self, Limb, merged};
 use sh_scene::Mesh;
@@ -14,7 +15,7 @@ fn boxes(all: &[([f32; 3], [f32; 3])], cell: f32) -> Mesh {
             (*middle).into(),
         );
     }
-    finer(mesh, cell)
+    finer(mesh, Vec3::distance, cell)
 }
 
 fn add(mesh: &mut Mesh, other: Mesh, by: Vec3) {
@@ -27,42 +28,6 @@ fn add(mesh: &mut Mesh, other: Mesh, by: Vec3) {
     mesh.normals.extend(other.normals);
     let triangles = other.triangles.iter().map(|t| t.map(|i| i + first));
     mesh.triangles.extend(triangles);
-}
-
-/// The mesh with every edge that is longer than `cell` halved until none is.
-fn finer(mut mesh: Mesh, cell: f32) -> Mesh {
-    let mut halves = std::collections::HashMap::new();
-    loop {
-        let mut cut = false;
-        for [a, b, c] in std::mem::take(&mut mesh.triangles) {
-            let place = |i: u32| Vec3::from(mesh.positions[i as usize]);
-            let length = |e: &[u32; 3]| place(e[0]).distance(place(e[1]));
-            let edges = [[a, b, c], [b, c, a], [c, a, b]];
-            let longest = edges
-                .into_iter()
-                .max_by(|e, f| length(e).total_cmp(&length(f)));
-            let [p, q, r] = longest.unwrap_or([a, b, c]);
-            if place(p).distance(place(q)) <= cell {
-                mesh.triangles.push([a, b, c]);
-                continue;
-            }
-            cut = true;
-            let middle = *halves.entry([p.min(q), p.max(q)]).or_insert_with(|| {
-                for list in [&mut mesh.positions, &mut mesh.normals] {
-                    let [x, y] = [p, q].map(|i| Vec3::from(list[i as usize]));
-                    list.push(((x + y) * 0.5).to_array());
-                }
-                if let Some(normal) = mesh.normals.last_mut() {
-                    *normal = Vec3::from(*normal).normalize_or(Vec3::Y).to_array();
-                }
-                mesh.positions.len() as u32 - 1
-            });
-            mesh.triangles.extend([[p, middle, r], [middle, q, r]]);
-        }
-        if !cut {
-            return mesh;
-        }
-    }
 }
 
 pub(super) fn table() -> Mesh {
@@ -111,11 +76,19 @@ pub(super) fn ball() -> Mesh {
 }
 
 pub(super) fn knot() -> Mesh {
-    standing(finer(shapes::torus_knot(2, 3, 0.42, 0.18, 0.12), 0.1))
+    standing(finer(
+        shapes::torus_knot(2, 3, 0.42, 0.18, 0.12),
+        Vec3::distance,
+        0.1,
+    ))
 }
 
 pub(super) fn pillar() -> Mesh {
-    standing(finer(shapes::twisted_column(0.16, 2.2, 2.5), 0.1))
+    standing(finer(
+        shapes::twisted_column(0.16, 2.2, 2.5),
+        Vec3::distance,
+        0.1,
+    ))
 }
 
 fn standing(mut mesh: Mesh) -> Mesh {

@@ -1,5 +1,6 @@
 //! Bodies of the scenes: meshes by code, with spheres fitted to them and their surface sampled.
 
+use crate::finer::finer;
 use glam::{Affine3A, Quat, Vec3};
 use sh_bake::shapes::{self, Bend, Limb};
 use sh_bake::{SphereSet, bake_surface, weights};
@@ -82,40 +83,8 @@ pub(super) fn bend(angle: f32) -> Bend {
 /// A cylinder that stands along +Y, cut finely enough to be bent.
 pub(super) fn cylinder() -> Mesh {
     let [length, radius] = CYLINDER;
-    let mut mesh = shapes::cylinder(radius, length);
-    // Every triangle that is long along the axis is cut in halves until none is: what lies on an edge is shared.
-    let mut halves = std::collections::HashMap::new();
-    loop {
-        let mut cut = false;
-        let old = std::mem::take(&mut mesh.triangles);
-        for [a, b, c] in old {
-            let height = |i: u32| mesh.positions[i as usize][1];
-            let edges = [[a, b, c], [b, c, a], [c, a, b]];
-            let rise = |e: &[u32; 3]| (height(e[0]) - height(e[1])).abs();
-            let longest = edges.into_iter().max_by(|e, f| rise(e).total_cmp(&rise(f)));
-            let [p, q, r] = longest.unwrap_or([a, b, c]);
-            if rise(&[p, q, r]) < length / 40.0 {
-                mesh.triangles.push([a, b, c]);
-                continue;
-            }
-            cut = true;
-            let middle = *halves.entry([p.min(q), p.max(q)]).or_insert_with(|| {
-                for list in [&mut mesh.positions, &mut mesh.normals] {
-                    let [x, y] = [p, q].map(|i| Vec3::from(list[i as usize]));
-                    list.push(((x + y) * 0.5).to_array());
-                }
-                let last = mesh.normals.last_mut();
-                if let Some(normal) = last {
-                    *normal = Vec3::from(*normal).normalize_or(Vec3::Y).to_array();
-                }
-                mesh.positions.len() as u32 - 1
-            });
-            mesh.triangles.extend([[p, middle, r], [middle, q, r]]);
-        }
-        if !cut {
-            return mesh;
-        }
-    }
+    let mesh = shapes::cylinder(radius, length);
+    finer(mesh, |a, b| (a.y - b.y).abs(), length / 40.0)
 }
 
 /// How the bent cylinder lies: an arch with its ends down.
