@@ -130,7 +130,7 @@ pub fn plane() -> Scene {
     told(&mut objects, FUNCTIONS);
     Scene {
         objects,
-        environment: Sky::default().map(128, 64),
+        environment: upper(Sky::default().map(128, 64)),
         lights: vec![AreaLight::local(
             Vec3::new(0.5, 0.8, 0.3),
             0.1,
@@ -144,6 +144,13 @@ pub fn plane() -> Scene {
         },
         settings: settings(),
     }
+}
+
+/// The upper half of a sky: below a plane that hides nothing there is to be nothing.
+fn upper(mut sky: EnvironmentMap) -> EnvironmentMap {
+    let lower = sky.pixels.len() / 2;
+    sky.pixels[lower..].fill([0.0; 3]);
+    sky
 }
 
 fn settings() -> Settings {
