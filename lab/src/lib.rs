@@ -17,8 +17,8 @@
 pub mod accuracy;
 pub mod basis;
 pub mod bench;
-mod finer;
 pub mod fit;
+mod meshes;
 mod rooms;
 pub mod spheres;
 pub mod validate;

@@ -3,6 +3,7 @@
 use super::device::{Clock, Shadows};
 use super::peak::{self, Inner};
 use super::scenes::{self, Name};
+use super::times::{Stage, median};
 use super::world::{GATHER, ORDER, SHADOW, STAGES, World};
 use fearless_simd::Level;
 use gaunt::Error;
@@ -22,14 +23,6 @@ const SCALAR_EVERY: usize = 4;
 
 /// Milliseconds of each of [`STAGES`].
 type Stages = [f64; STAGES.len()];
-
-/// A stage and its time.
-#[derive(Clone, Copy, Debug, Serialize)]
-struct Stage {
-    name: &'static str,
-    /// Median milliseconds.
-    ms: f64,
-}
 
 /// What a run found.
 #[derive(Clone, Debug, Serialize)]
@@ -229,12 +222,6 @@ fn measure(scene: Name, backend: Backend) -> Result<Report, Error> {
         shadow_speedup_over_scalar: of(&slow, SHADOW) / of(&fast, SHADOW),
         sent,
     })
-}
-
-fn median(values: impl Iterator<Item = f64>) -> f64 {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 impl fmt::Display for Report {

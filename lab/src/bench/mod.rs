@@ -12,6 +12,7 @@ mod scaling;
 mod scenes;
 mod sent;
 mod surface;
+mod times;
 mod world;
 
 use gaunt::Error;

@@ -1,5 +1,6 @@
 //! Rooms whose bodies send light to and fro by their patches: vertices are what is lit, as in Iwasaki et al. 2007, section 7.
 
+use super::times::{Stage, median};
 use crate::rooms::{self, WALLS};
 use gaunt::Error;
 use gaunt::progress::Progress;
@@ -7,7 +8,7 @@ use glam::{Affine3A, Quat, Vec3};
 use rayon::prelude::*;
 use serde::Serialize;
 use sh_cpu::{Frames, Path, lane_count};
-use sh_scene::{Clusters, Plan, Receiver, Scene};
+use sh_scene::{Clusters, Indirect, Plan, Receiver, Scene};
 use std::fmt;
 use std::ops::Range;
 use std::time::Instant;
@@ -39,14 +40,6 @@ impl Change {
             Self::AllBodies => "all bodies move",
         }
     }
-}
-
-/// A stage and its time.
-#[derive(Clone, Copy, Debug, Serialize)]
-struct Stage {
-    name: &'static str,
-    /// Median milliseconds.
-    ms: f64,
 }
 
 /// Frames of one kind.
@@ -123,7 +116,8 @@ impl Vertices {
 /// A scene and all that is lit of it.
 struct Lit {
     scene: Scene,
-    rest: Vec<Affine3A>,
+    /// Where its objects stand, and the radiance of its lamps, before anything changes.
+    rest: (Vec<Affine3A>, Vec<[f32; 3]>),
     bodies: Vec<Vertices>,
     receivers: Vec<Receiver>,
     clusters: Vec<Range<usize>>,
@@ -144,7 +138,10 @@ impl Lit {
             first += body.receivers.len();
         }
         Self {
-            rest: scene.objects.iter().map(|o| o.transform).collect(),
+            rest: (
+                scene.objects.iter().map(|o| o.transform).collect(),
+                scene.lights.iter().map(|light| light.radiance).collect(),
+            ),
             receivers: Vec::with_capacity(first),
             scene,
             bodies,
@@ -152,22 +149,23 @@ impl Lit {
         }
     }
 
-    /// Frame number `frame` of a kind.
+    /// Frame number `frame` of a kind: in each something is other than in the one before.
     fn change(&mut self, change: Change, frame: usize) {
-        let time = frame as f32 / 30.0;
+        let time = (frame + 1) as f32 / 30.0;
+        let (places, radiance) = &self.rest;
         match change {
             Change::Light => {
-                for light in &mut self.scene.lights {
-                    light.radiance = light.radiance.map(|c| c * (1.0 + 0.1 * time.sin()));
+                for (light, rest) in self.scene.lights.iter_mut().zip(radiance) {
+                    light.radiance = rest.map(|c| c * (1.0 + 0.1 * time.sin()));
                 }
             }
             Change::View => self.scene.camera.eye += Vec3::new(0.01, 0.0, -0.01),
             Change::OneBody | Change::AllBodies => {
                 let last = match change {
                     Change::OneBody => WALLS + 1,
-                    _ => self.rest.len(),
+                    _ => places.len(),
                 };
-                for (i, rest) in self.rest.iter().enumerate().take(last).skip(WALLS) {
+                for (i, rest) in places.iter().enumerate().take(last).skip(WALLS) {
                     let turn = Quat::from_rotation_y(time * (1.0 + 0.1 * i as f32));
                     self.scene.objects[i].transform = *rest * Affine3A::from_quat(turn);
                 }
@@ -203,11 +201,14 @@ fn frame(lit: &mut Lit, frames: &mut Frames, plan: &Plan) -> Result<Times, Error
     Ok(times)
 }
 
+fn sum(times: &Times) -> f64 {
+    times.iter().map(|(_, ms)| ms).sum()
+}
+
 fn measure(name: &'static str, scene: Scene, baked_s: f64) -> Result<Report, Error> {
     let mut lit = Lit::new(scene);
     let plan = Plan::of_receivers(&lit.scene);
     let mut frames = Frames::default();
-    lit.place();
     frame(&mut lit, &mut frames, &plan)?;
     let progress = Progress::new("timing frames");
     let all = (Change::ALL.len() * FRAMES + FRAMES) as f32;
@@ -227,32 +228,32 @@ fn measure(name: &'static str, scene: Scene, baked_s: f64) -> Result<Report, Err
             name,
             ms: median(spent.iter().map(|times| of(times, name))),
         });
-        let whole = |times: &Times| times.iter().map(|t| t.1).sum::<f64>();
         kinds.push(Kind {
             change,
-            frames_per_s: 1e3 / median(spent.iter().map(whole)),
+            frames_per_s: 1e3 / median(spent.iter().map(sum)),
             stages: stages.collect(),
         });
     }
     // One bounce more and one less in turns, since machines are shared.
     let indirect = lit.scene.settings.indirect.unwrap_or_default();
-    let mut more = lit.scene.clone();
-    more.settings.indirect = Some(sh_scene::Indirect {
+    let (less, mut more) = (lit.scene.settings, lit.scene.settings);
+    more.indirect = Some(Indirect {
         bounces: indirect.bounces + 1,
         ..indirect
     });
-    let deeper = Plan::of_receivers(&more);
+    lit.scene.settings = more;
+    let deeper = Plan::of_receivers(&lit.scene);
     let mut others = Frames::default();
     let mut shares = Vec::new();
     for number in 0..FRAMES {
         lit.change(Change::AllBodies, number);
-        let whole = |times: Times| times.iter().map(|t| t.1).sum::<f64>();
-        let less = whole(frame(&mut lit, &mut frames, &plan)?);
-        let settings = lit.scene.settings;
-        lit.scene.settings = more.settings;
-        let more = whole(frame(&mut lit, &mut others, &deeper)?);
-        lit.scene.settings = settings;
-        shares.push((more - less) / less);
+        let mut whole = |settings, frames: &mut Frames, plan| {
+            lit.scene.settings = settings;
+            frame(&mut lit, frames, plan).map(|times| sum(&times))
+        };
+        let shallow = whole(less, &mut frames, &plan)?;
+        let deep = whole(more, &mut others, &deeper)?;
+        shares.push((deep - shallow) / shallow);
         done += 1.0;
         progress.set(done / all);
     }
@@ -279,12 +280,6 @@ fn measure(name: &'static str, scene: Scene, baked_s: f64) -> Result<Report, Err
         kinds,
         bounce_share: median(shares.into_iter()),
     })
-}
-
-fn median(values: impl Iterator<Item = f64>) -> f64 {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 impl fmt::Display for Report {

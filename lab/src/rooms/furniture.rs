@@ -1,6 +1,6 @@
 //! What stands in rooms: each on the height 0 of its own space.
 
-use crate::finer::finer;
+use crate::meshes::{add, finer};
 use glam::Vec3;
 use sh_bake::shapes::{self, Limb, merged};
 use sh_scene::Mesh;
@@ -16,18 +16,6 @@ fn boxes(all: &[([f32; 3], [f32; 3])], cell: f32) -> Mesh {
         );
     }
     finer(mesh, Vec3::distance, cell)
-}
-
-fn add(mesh: &mut Mesh, other: Mesh, by: Vec3) {
-    let first = mesh.positions.len() as u32;
-    let moved = other
-        .positions
-        .iter()
-        .map(|p| (by + Vec3::from(*p)).to_array());
-    mesh.positions.extend(moved);
-    mesh.normals.extend(other.normals);
-    let triangles = other.triangles.iter().map(|t| t.map(|i| i + first));
-    mesh.triangles.extend(triangles);
 }
 
 pub(super) fn table() -> Mesh {

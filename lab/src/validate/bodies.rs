@@ -1,6 +1,6 @@
 //! Bodies of the scenes: meshes by code, with spheres fitted to them and their surface sampled.
 
-use crate::finer::finer;
+use crate::meshes::finer;
 use glam::{Affine3A, Quat, Vec3};
 use sh_bake::shapes::{self, Bend, Limb};
 use sh_bake::{SphereSet, bake_surface, weights};

@@ -2,15 +2,16 @@
 
 use super::measure::{Errors, Sight, Traced, trace};
 use super::scenes::{Case, animal, arched_anew, boxed, case};
+use crate::meshes::add;
+use crate::rooms::{FUNCTIONS, told};
 use gaunt::Error;
 use gaunt::compare::Figures;
 use glam::Vec3;
 use serde::Serialize;
-use sh_bake::{irradiance_basis, shapes};
+use sh_bake::shapes;
 use sh_reference::paths::Source;
 use sh_scene::{Blocking, Indirect, Mesh, Method, Object, Scene, SurfaceSamples};
 use std::f32::consts::{FRAC_PI_2, PI};
-use std::sync::Arc;
 
 /// Errors of one way to light a scene; `relative` ones in parts of the mean indirect light, others of the mean radiance.
 #[derive(Clone, Debug, Serialize)]
@@ -89,14 +90,10 @@ pub(super) fn patched(scene: &Scene) -> Scene {
     });
     for object in &mut scene.objects {
         object.surface = SurfaceSamples::default();
-        let parts = [(&object.mesh, &object.material)];
-        object.basis = irradiance_basis(&parts, FUNCTIONS, &|_| {}).map(Arc::new);
     }
+    told(&mut scene.objects, FUNCTIONS);
     scene
 }
-
-/// Functions a body.
-const FUNCTIONS: usize = 16;
 
 /// The row of a scene seen.
 pub(super) fn row(name: &str, scene: &Scene, sight: &Sight, light: Source) -> Result<Row, Error> {
@@ -268,16 +265,7 @@ fn as_balls(scene: &Scene) -> Scene {
         let mut mesh = Mesh::default();
         for sphere in &object.spheres {
             let ball = shapes::ball(sphere.radius, 4);
-            let first = mesh.positions.len() as u32;
-            let center = Vec3::from(sphere.center);
-            let moved = ball
-                .positions
-                .iter()
-                .map(|p| (center + Vec3::from(*p)).to_array());
-            mesh.positions.extend(moved);
-            mesh.normals.extend(ball.normals);
-            let triangles = ball.triangles.iter().map(|t| t.map(|i| i + first));
-            mesh.triangles.extend(triangles);
+            add(&mut mesh, ball, sphere.center.into());
         }
         object.surface = SurfaceSamples::default();
         object.mesh = mesh;

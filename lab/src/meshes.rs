@@ -1,4 +1,4 @@
-//! Meshes of smaller triangles.
+//! Meshes put together, and of smaller triangles.
 
 use glam::Vec3;
 use sh_scene::Mesh;
@@ -38,4 +38,15 @@ pub(crate) fn finer(mut mesh: Mesh, apart: impl Fn(Vec3, Vec3) -> f32, most: f32
             return mesh;
         }
     }
+}
+
+/// Adds a mesh to another, moved.
+pub(crate) fn add(mesh: &mut Mesh, other: Mesh, by: Vec3) {
+    let first = mesh.positions.len() as u32;
+    let moved = other.positions.iter();
+    let moved = moved.map(|p| (by + Vec3::from(*p)).to_array());
+    mesh.positions.extend(moved);
+    mesh.normals.extend(other.normals);
+    let triangles = other.triangles.iter().map(|t| t.map(|i| i + first));
+    mesh.triangles.extend(triangles);
 }
