@@ -137,6 +137,26 @@ fn left_by(other: Hidden, cone: Cone) -> f32 {
     return 1.0 - x * x * (3.0 - 2.0 * x) * size * size * before;
 }
 
+// What those of the spheres leave of it that may hide a part of the body.
+fn left_of(
+    receiver: Receiver,
+    body: u32,
+    hiding: ptr<function, array<u32, ROOM>>,
+    kept: ptr<function, array<Hidden, HELD>>,
+    count: u32,
+    cone: Cone,
+) -> f32 {
+    var left = 1.0;
+    for (var i = 0u; i < count; i += 1u) {
+        if (i < HELD) {
+            left *= left_by((*kept)[i], cone);
+        } else {
+            left *= left_by(see_hidden(receiver, body, (*hiding)[i]), cone);
+        }
+    }
+    return left;
+}
+
 // What a body sends to a receiver of another.
 fn sent_by(receiver: Receiver, body: u32, count: u32, bounds: vec4f) -> vec3f {
     let own = bodies[body];
@@ -182,14 +202,7 @@ fn sent_by(receiver: Receiver, body: u32, count: u32, bounds: vec4f) -> vec3f {
             cone = cone_of(away / far, square, far, radius * radius);
         }
         if (open > 0.0) {
-            var left = 1.0;
-            for (var i = 0u; i < hiders; i += 1u) {
-                if (i < HELD) {
-                    left *= left_by(kept[i], cone);
-                } else {
-                    left *= left_by(see_hidden(receiver, body, hiding[i]), cone);
-                }
-            }
+            let left = left_of(receiver, body, &hiding, &kept, hiders, cone);
             var sent = vec3f(0.0);
             if (flat) {
                 for (var m = r * REGION_PATCHES; m < (r + 1u) * REGION_PATCHES; m += 1u) {
@@ -250,15 +263,8 @@ fn sent_by(receiver: Receiver, body: u32, count: u32, bounds: vec4f) -> vec3f {
                     radiance = light[own.light + 2u * (start + k - 1u)].rgb;
                 }
                 if (open > 0.0) {
-                    var left = escape(facet.escape, -cone.direction);
-                    for (var i = 0u; i < hiders; i += 1u) {
-                        if (i < HELD) {
-                            left *= left_by(kept[i], cone);
-                        } else {
-                            left *= left_by(see_hidden(receiver, body, hiding[i]), cone);
-                        }
-                    }
-                    sum += open * left * radiance;
+                    let left = left_of(receiver, body, &hiding, &kept, hiders, cone);
+                    sum += open * escape(facet.escape, -cone.direction) * left * radiance;
                 }
                 if (near <= 0.0) {
                     break;

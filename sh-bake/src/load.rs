@@ -226,7 +226,9 @@ pub fn load_scene_with<'a>(
         let start = Instant::now();
         let spheres = |body: &Range<usize>| !objects[body.start].spheres.is_empty();
         let (sampled, silent): (Vec<_>, Vec<_>) = sampled.into_iter().partition(spheres);
-        for body in silent {
+        // Where surfaces are sampled in case, nobody has asked for light by way of bodies.
+        let asked = file.settings.indirect.is_some();
+        for body in silent.into_iter().filter(|_| asked) {
             report.warnings.push(format!(
                 "{} has no spheres, so it sends no light on; with method = \"basis-irradiance\" and no clip it would.",
                 objects[body.start].name

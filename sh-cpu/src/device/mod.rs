@@ -21,6 +21,7 @@ pub(crate) mod logs;
 mod order;
 pub(crate) mod outline;
 pub(crate) mod patch_cut;
+pub(crate) mod patch_hiding;
 pub(crate) mod patch_lights;
 pub(crate) mod patches;
 pub(crate) mod ratio;

@@ -15,6 +15,8 @@ use std::ops::Range;
 #[derive(Clone, Debug, Default)]
 pub struct PatchCuts {
     pub clusters: Vec<PatchCut>,
+    /// Whether they are those of what there is now.
+    found: bool,
 }
 
 /// What lights a cluster.
@@ -60,6 +62,16 @@ pub struct Part {
 }
 
 impl PatchCuts {
+    /// Says that they have to be found anew.
+    pub(crate) fn forget(&mut self) {
+        self.found = false;
+    }
+
+    /// Whether they were found since they were to be.
+    pub(crate) fn found(&self) -> bool {
+        self.found
+    }
+
     /// Finds what lights every cluster of receivers.
     pub fn find(
         &mut self,
@@ -68,6 +80,7 @@ impl PatchCuts {
         bodies: &[Placed],
         limits: Limits,
     ) {
+        self.found = true;
         self.clusters.resize_with(clusters.len(), PatchCut::default);
         let each = self.clusters.par_iter_mut().zip(clusters);
         each.for_each(|(own, range)| {
@@ -90,6 +103,7 @@ impl PatchCuts {
                 + size_of_val(&cut.parts[..])
                 + size_of_val(&cut.around[..])
                 + size_of_val(&cut.nodes[..])
+                + size_of_val(&cut.before[..])
         };
         self.clusters.iter().map(of).sum()
     }

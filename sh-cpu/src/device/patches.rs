@@ -29,31 +29,17 @@
 //! What a body gives itself is told by its functions ([`sh_scene::IrradianceBasis::bounced`]). A receiver on it takes
 //! what is told at the patches around, by how near they are and how much they face the same way.
 
-use super::accumulate::{Point, dot, each, look, seen_from};
+use super::accumulate::{Point, dot, each};
 use super::patch_cut::{Part, PatchCut};
+use super::patch_hiding::{Cone, Hidden, left, may_hide, see, world};
 use super::patch_lights::{Lit, PatchLights, Placed};
 use sh_core::constants::{
     ASKEW, BEHIND, ENTIRE, JOINED, LIFTED, NEAREST, QUARTERS, REFINED, REGION_PATCHES, ROOM, SPLIT,
     WITHIN,
 };
 use sh_core::{Lane, Routines};
-use sh_scene::Blocker;
 use sh_scene::basis::{Disc, Facet};
 use std::f64::consts::PI;
-
-/// A sphere as receivers see it.
-#[derive(Clone, Copy)]
-pub struct Hidden<L> {
-    direction: [L; 3],
-    sine: L,
-    cosine: L,
-    /// One over the sine.
-    steep: L,
-    /// How far its middle is.
-    far: L,
-    /// One over twice its radius.
-    inverse: f32,
-}
 
 /// Receivers in the space of a body.
 struct Local<L> {
@@ -159,20 +145,6 @@ fn turned<L: Lane>(turn: &[[f32; 3]; 3], v: [L; 3]) -> [L; 3] {
     )
 }
 
-/// A direction of a body's space in the world.
-#[inline(always)]
-fn world<L: Lane>(placed: &Placed, [x, y, z]: [L; 3]) -> [L; 3] {
-    let turn = placed.turn.to_cols_array_2d();
-    let lift = |v: f32| x.lift(f64::from(v));
-    each(
-        #[inline(always)]
-        |k| {
-            let [a, b, c] = turn[k];
-            x.mul_add(lift(a), y.mul_add(lift(b), z * lift(c)))
-        },
-    )
-}
-
 /// What is seen of a place: how far it is, squared and not, and the unit vector towards it.
 #[inline(always)]
 fn towards<L: Lane>(center: [f32; 3], local: &Local<L>) -> (L, L, [L; 3]) {
@@ -189,63 +161,6 @@ fn towards<L: Lane>(center: [f32; 3], local: &Local<L>) -> (L, L, [L; 3]) {
         |k| away[k] * inverse,
     );
     (square, far, direction)
-}
-
-/// The disc in the sky that something is taken for.
-#[derive(Clone, Copy)]
-struct Cone<L> {
-    direction: [L; 3],
-    far: L,
-    sine: L,
-    cosine: L,
-    /// One over the sine.
-    steep: L,
-}
-
-impl<L: Lane> Cone<L> {
-    /// The direction back to the receiver.
-    #[inline(always)]
-    fn back(&self) -> [L; 3] {
-        let [x, y, z] = self.direction;
-        [-x, -y, -z]
-    }
-
-    /// That of the same place in the world, if it is one in the space of a body.
-    #[inline(always)]
-    fn world(&self, placed: &Placed) -> Self {
-        Self {
-            direction: world(placed, self.direction),
-            far: self.far * self.far.lift(f64::from(placed.scale)),
-            ..*self
-        }
-    }
-
-    /// That of a disc so far away along a vector.
-    #[inline(always)]
-    fn towards(away: [L; 3], (square, far): (L, L), area: f32) -> Self {
-        let inverse = far.lift(1.0) / far;
-        let direction = each(
-            #[inline(always)]
-            |k| away[k] * inverse,
-        );
-        Self::new(direction, (square, far), f64::from(area) / PI)
-    }
-
-    /// That of a disc in this unit direction, so far away, of this area over π.
-    #[inline(always)]
-    fn new(direction: [L; 3], (square, far): (L, L), area: f64) -> Self {
-        let one = far.lift(1.0);
-        let whole = square + far.lift(area);
-        let inverse = (one / whole).sqrt();
-        let root = area.sqrt();
-        Self {
-            direction,
-            far,
-            sine: inverse * far.lift(root),
-            cosine: inverse * far,
-            steep: whole * inverse * far.lift(1.0 / root),
-        }
-    }
 }
 
 /// What a region gives: as a whole, by its quarters, or patch by patch.
@@ -287,10 +202,11 @@ where
             add(&mut sum, lit.mean(all), open);
         }
     } else {
-        let radii = f64::from(region.radius).max(NEAREST) * (ENTIRE - REFINED);
-        let start = REFINED / (ENTIRE - REFINED);
-        let afar = far.mul_add(far.lift(1.0 / radii), -far.lift(start));
-        whole = afar.max(zero).min(one);
+        whole = afar(
+            far,
+            f64::from(region.radius).max(NEAREST),
+            [REFINED, ENTIRE],
+        );
         let facing = dot(direction, local.normal).max(zero) * whole;
         if part.whole && L::any(zero.lt(facing)) {
             let radius = f64::from(region.radius).max(NEAREST);
@@ -363,32 +279,13 @@ where
     sum
 }
 
-/// The ball around all discs of a region, over that around its samples: with what receivers are lifted off them.
-const AROUND: f64 = 1.5;
-
-/// Which spheres may hide a part of a ball from some of these receivers: those of a cluster lie farther apart.
+/// 0 up to so many times a length, 1 from so many on.
 #[inline(always)]
-fn may_hide<'a, L: Lane>(
-    (direction, far): ([L; 3], L),
-    radius: f64,
-    (hiding, kept): (&[u8], &[Hidden<L>; ROOM]),
-    found: &'a mut [u8; ROOM],
-) -> &'a [u8] {
-    let one = far.lift(1.0);
-    let sine = (far.lift(radius) / far).min(one);
-    let cosine = (-sine).mul_add(sine, one).max(far.lift(0.0)).sqrt();
-    let within = far.lt(far.lift(radius));
-    let mut count = 0;
-    for &at in hiding {
-        let other = &kept[usize::from(at) % ROOM];
-        let least = other.cosine.mul_add(cosine, -(other.sine * sine));
-        let near = L::select(within, one, dot(direction, other.direction) - least);
-        if L::any(far.lift(0.0).lt(near)) {
-            found[count % ROOM] = at;
-            count += 1;
-        }
-    }
-    &found[..count.min(ROOM)]
+fn afar<L: Lane>(far: L, length: f64, [from, to]: [f64; 2]) -> L {
+    let lengths = length * (to - from);
+    let start = from / (to - from);
+    let afar = far.mul_add(far.lift(1.0 / lengths), -far.lift(start));
+    afar.max(far.lift(0.0)).min(far.lift(1.0))
 }
 
 #[inline(always)]
@@ -397,6 +294,9 @@ fn add<L: Lane>(sum: &mut [L; 3], radiance: [f32; 3], open: L) {
         *sum = open.mul_add(open.lift(f64::from(radiance)), *sum);
     }
 }
+
+/// The ball around all discs of a region, over that around its samples: with what receivers are lifted off them.
+const AROUND: f64 = 1.5;
 
 /// Patches of a quarter of a region.
 const QUARTER: usize = REGION_PATCHES / QUARTERS;
@@ -433,9 +333,6 @@ impl<'a, L: Lane> Seen<'a, L> {
         let aside = size * front * dot(normal, local.normal);
         let open = above.mul_add(bent, above) - aside;
         let far = square.sqrt();
-        let roots = f64::from(disc.area).sqrt() * (JOINED - SPLIT);
-        let start = SPLIT / (JOINED - SPLIT);
-        let whole = far.mul_add(far.lift(1.0 / roots), -far.lift(start));
         Self {
             disc,
             away,
@@ -443,7 +340,7 @@ impl<'a, L: Lane> Seen<'a, L> {
             far,
             height,
             open: open.max(zero) * front * inverse * zero.lift(area),
-            whole: whole.max(zero).min(one),
+            whole: afar(far, f64::from(disc.area).sqrt(), [SPLIT, JOINED]),
         }
     }
 
@@ -456,12 +353,7 @@ impl<'a, L: Lane> Seen<'a, L> {
     /// That from where the receiver is lifted to.
     #[inline(always)]
     fn lifted(&self) -> Cone<L> {
-        let up = lift(self.disc, self.height) - self.height;
-        let normal = facing(self.disc, up);
-        let away = each(
-            #[inline(always)]
-            |k| (-up).mul_add(normal[k], self.away[k]),
-        );
+        let (away, _) = lift(self.disc, self.away, self.height);
         let square = dot(away, away);
         Cone::towards(away, (square, square.sqrt()), self.disc.area)
     }
@@ -483,11 +375,17 @@ fn facing<L: Lane>(disc: &Disc, like: L) -> [L; 3] {
     )
 }
 
-/// How high above a disc's plane a receiver is lifted to that is so high.
+/// The way to a disc from where a receiver is lifted to that is so high above its plane, and how high that is.
 #[inline(always)]
-fn lift<L: Lane>(disc: &Disc, height: L) -> L {
+fn lift<L: Lane>(disc: &Disc, away: [L; 3], height: L) -> ([L; 3], L) {
     let least = f64::from(disc.area).sqrt() * LIFTED;
-    height.mul_add(height, height.lift(least * least)).sqrt()
+    let lifted = height.mul_add(height, height.lift(least * least)).sqrt();
+    let (up, normal) = (lifted - height, facing(disc, height));
+    let away = each(
+        #[inline(always)]
+        |k| (-up).mul_add(normal[k], away[k]),
+    );
+    (away, lifted)
 }
 
 /// What a disc gives of its radiance to a receiver that is lifted.
@@ -495,14 +393,9 @@ fn lift<L: Lane>(disc: &Disc, height: L) -> L {
 fn lifted<L: Lane>(disc: &Disc, local: &Local<L>) -> L {
     let zero = local.position[0].lift(0.0);
     let one = zero.lift(1.0);
-    let (away, normal) = (way(disc, local), facing(disc, zero));
-    let height = -dot(away, normal);
-    let lifted = lift(disc, height);
-    let up = lifted - height;
-    let away = each(
-        #[inline(always)]
-        |k| (-up).mul_add(normal[k], away[k]),
-    );
+    let away = way(disc, local);
+    let height = -dot(away, facing(disc, zero));
+    let (away, lifted) = lift(disc, away, height);
     let above = dot(away, local.normal).max(zero);
     let least = f64::from(disc.area).sqrt() * LIFTED;
     let front = height.mul_add(zero.lift(1.0 / (least * BEHIND)), one);
@@ -524,67 +417,6 @@ fn escape<L: Lane>(facet: &Facet, [x, y, z]: [L; 3]) -> L {
     let mixed = along(mixed, x * y, y * z, z * x);
     let seen = along(b, x, y, z) + even + mixed + mixed;
     seen.max(x.lift(0.0)).min(x.lift(1.0))
-}
-
-/// A sphere as receivers see it.
-#[inline(always)]
-fn see<L: Lane>(hider: &Blocker, point: &Point<L>) -> Hidden<L>
-where
-    [L; 4]: Routines<L>,
-{
-    let seen = look(hider, false, point);
-    let (zero, one) = (seen.sine.lift(0.0), seen.sine.lift(1.0));
-    let away = seen_from(&hider.center, point);
-    Hidden {
-        direction: seen.direction,
-        sine: seen.sine,
-        cosine: (-seen.sine).mul_add(seen.sine, one).max(zero).sqrt(),
-        steep: one / seen.sine.max(one.lift(NEAREST)),
-        far: dot(away, away).sqrt(),
-        inverse: 0.5 / hider.radius.max(NEAREST as f32),
-    }
-}
-
-/// What some spheres leave of a disc in the sky.
-#[inline(always)]
-fn left<L: Lane>(cone: &Cone<L>, hiding: &[u8], kept: &[Hidden<L>; ROOM]) -> L {
-    let (zero, one) = (cone.far.lift(0.0), cone.far.lift(1.0));
-    let mut left = one;
-    for &at in hiding {
-        let other = &kept[usize::from(at) % ROOM];
-        // From cos (a + b), where the discs touch, to cos (a − b), where one lies in the other.
-        let across = other.sine * cone.sine;
-        let over =
-            dot(cone.direction, other.direction) - other.cosine.mul_add(cone.cosine, -across);
-        if !L::any(zero.lt(over)) {
-            continue;
-        }
-        let x = over * other.steep * cone.steep * one.lift(0.5);
-        let x = x.max(zero).min(one);
-        let x = x * x * (one.lift(3.0) - x - x);
-        let size = other.sine * cone.steep;
-        let size = (size * size).min(one);
-        let inverse = one.lift(f64::from(other.inverse));
-        let before = (cone.far - other.far).mul_add(inverse, one.lift(0.5));
-        let before = before.max(zero).min(one);
-        left = left * (-(x * size)).mul_add(before, one);
-    }
-    left
-}
-
-impl<L: Lane> Hidden<L> {
-    /// Nothing.
-    #[inline(always)]
-    pub(crate) fn nothing(zero: L) -> Self {
-        Self {
-            direction: [zero; 3],
-            sine: zero,
-            cosine: zero.lift(1.0),
-            steep: zero,
-            far: zero,
-            inverse: 0.0,
-        }
-    }
 }
 
 /// What a body gives a receiver on it: what it gives its patches, by nearness.

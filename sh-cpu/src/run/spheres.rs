@@ -101,7 +101,7 @@ impl Spheres<'_> {
             Domain::Patches => (&mut *self.point_cuts, false),
             _ => (&mut *self.patch_cuts, true),
         };
-        if own || cuts.clusters.is_empty() {
+        if own || !cuts.found() {
             stages.time("patch_cut", || {
                 cuts.find((receivers, clusters), self.forest, &bodies, limits);
             });

@@ -39,7 +39,7 @@ static TWINS: [Twin; 13] = [
                 Domain::Patches => {
                     place_patches(BasisBody::all(objects), &mut sets.patches);
                     dark(BasisBody::all(objects), spheres.patch_lights);
-                    spheres.point_cuts.clusters.clear();
+                    spheres.point_cuts.forget();
                 }
                 _ => place(objects.iter().map(Body::from), &mut sets.points),
             });
@@ -184,7 +184,11 @@ static TWINS: [Twin; 13] = [
             let name = match at {
                 Domain::Halves => "light of patches, at half resolution",
                 Domain::Rest => "light of patches for the rest of a band",
-                Domain::Points | Domain::Patches => return Vec::new(),
+                Domain::Patches => {
+                    let cuts = store.spheres.point_cuts.bytes();
+                    return vec![("cuts of patches, for points of patches", cuts)];
+                }
+                Domain::Points => return Vec::new(),
                 _ => "light of patches for a band",
             };
             let cuts = store.spheres.patch_cuts.bytes();
