@@ -22,6 +22,7 @@ mod clusters;
 mod distribution;
 mod emitter;
 mod environment;
+mod finish;
 mod indirect;
 mod light;
 mod lloyd;
@@ -47,6 +48,7 @@ pub use clusters::Clusters;
 pub use distribution::Distribution;
 pub use emitter::{AreaLight, AreaShape, Emitter};
 pub use environment::EnvironmentMap;
+pub use finish::Finish;
 pub use indirect::{Blocking, Indirect, Method};
 pub use light::{Light, LightError};
 pub use plan::{

@@ -10,7 +10,7 @@ pub struct Receiver {
     /// Where, in metres, world space.
     pub position: [f32; 3],
     /// 1 for a surface, 0 for a place with nothing to light (the sky in a picture); such a receiver gets
-    /// radiance 0.
+    /// radiance 0. Above 1 for a surface that mirrors light as well: [`crate::Finish::covered`].
     pub covered: u32,
     /// Unit normal.
     pub normal: [f32; 3],

@@ -1,8 +1,8 @@
 //! A scene, loaded and resolved: nothing in it refers to a file or needs a default any more.
 
 use crate::{
-    AreaLight, Camera, EnvironmentMap, Forest, Indirect, IrradianceBasis, Light, LightError,
-    Limits, Quality, Sphere, SurfaceSamples, Texture,
+    AreaLight, Camera, EnvironmentMap, Finish, Forest, Indirect, IrradianceBasis, Light,
+    LightError, Limits, Quality, Sphere, SurfaceSamples, Texture,
 };
 use glam::{Affine3A, Vec3};
 use std::sync::Arc;
@@ -23,13 +23,17 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// How a surface reflects: diffusely, `albedo` times the texture and the mesh's colours.
+/// How a surface reflects: in its base colour, `albedo` times the texture and the mesh's colours, and by its finish.
 #[derive(Clone, Debug)]
 pub struct Material {
     /// Linear Rec.709 reflectance, each in 0..=1.
     pub albedo: [f32; 3],
     /// Multiplied with the albedo, if there.
     pub texture: Option<Texture>,
+    /// How polished it is.
+    pub finish: Finish,
+    /// Multiplied with the finish, if there: green with the roughness, blue with metallic, as numbers and not as colours.
+    pub finish_texture: Option<Texture>,
 }
 
 impl Material {
@@ -43,7 +47,41 @@ impl Material {
         Self {
             albedo,
             texture: None,
+            finish: Finish::DIFFUSE,
+            finish_texture: None,
         }
+    }
+
+    /// The finish at texture coordinates.
+    ///
+    /// ```
+    /// use sh_scene::{Finish, Material};
+    /// assert_eq!(Material::default().finish_at(None), Finish::DIFFUSE);
+    /// ```
+    pub fn finish_at(&self, uv: Option<[f32; 2]>) -> Finish {
+        let Finish {
+            roughness,
+            metallic,
+        } = self.finish;
+        match (&self.finish_texture, uv) {
+            (Some(texture), Some(uv)) => {
+                let [_, green, blue] = texture.numbers(uv).to_array();
+                Finish {
+                    roughness: roughness * green,
+                    metallic: metallic * blue,
+                }
+            }
+            _ => self.finish,
+        }
+    }
+
+    /// Whether any place of it may mirror light.
+    ///
+    /// ```
+    /// assert!(!sh_scene::Material::default().is_glossy());
+    /// ```
+    pub fn is_glossy(&self) -> bool {
+        self.finish.is_glossy() || self.finish_texture.is_some()
     }
 }
 
@@ -146,6 +184,8 @@ pub struct Settings {
     pub limits: Limits,
     /// How bodies light each other, if they do.
     pub indirect: Option<Indirect>,
+    /// Whether polished surfaces mirror light.
+    pub gloss: bool,
 }
 
 /// Everything a picture needs.
@@ -177,6 +217,7 @@ impl Default for Settings {
             half_resolution: quality.half_resolution(),
             limits: Limits::default(),
             indirect: None,
+            gloss: true,
         }
     }
 }

@@ -1,9 +1,9 @@
-//! Base-colour textures.
+//! Textures of surfaces.
 
 use glam::Vec3A;
 use std::sync::LazyLock;
 
-/// A base-colour texture: sRGB-encoded RGBA, 8 bits each, rows from the top, repeated in both directions.
+/// A texture: RGBA, 8 bits each, sRGB-encoded where it holds colours, rows from the top, repeated in both directions.
 #[derive(Clone, Debug)]
 pub struct Texture {
     /// Texels across.
@@ -25,6 +25,10 @@ static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
         }
     })
 });
+
+/// The number that every byte stands for that is no colour.
+static NUMBERS: LazyLock<[f32; 256]> =
+    LazyLock::new(|| core::array::from_fn(|code| code as f32 / 255.0));
 
 /// The two texels beside `coordinate` (in texels, texel i reaching from i to i + 1 with its centre in the
 /// middle) and the weight of the second. Neighbours are not yet wrapped.
@@ -57,7 +61,26 @@ impl Texture {
     /// If there are fewer bytes than texels need, or no texel.
     #[inline]
     pub fn color(&self, uv: [f32; 2]) -> Vec3A {
-        let linear = &*LINEAR;
+        self.mean(uv, &LINEAR)
+    }
+
+    /// Red, green and blue as numbers from 0 to 1, where they are no colours; else as [`color`](Self::color).
+    ///
+    /// ```
+    /// let texture = sh_scene::Texture { width: 1, height: 1, rgba: vec![0, 51, 255, 255] };
+    /// assert_eq!(texture.numbers([0.5, 0.5]).to_array(), [0.0, 0.2, 1.0]);
+    /// ```
+    ///
+    /// # Panics
+    /// If there are fewer bytes than texels need, or no texel.
+    #[inline]
+    pub fn numbers(&self, uv: [f32; 2]) -> Vec3A {
+        self.mean(uv, &NUMBERS)
+    }
+
+    /// The bilinear mean at texture coordinates of what each byte stands for.
+    #[inline]
+    fn mean(&self, uv: [f32; 2], code: &[f32; 256]) -> Vec3A {
         // Into 0..1 first, so that far repetitions lose no more than the coordinate itself has lost.
         let wrapped = uv.map(|c| if c.is_finite() { c - c.floor() } else { 0.0 });
         let (x0, x1, across) = beside(wrapped[0] * self.width as f32);
@@ -69,7 +92,7 @@ impl Texture {
             columns.map(|x| {
                 let at = 4 * (y * self.width as usize + x);
                 Vec3A::from_array(core::array::from_fn(|c| {
-                    linear[usize::from(self.rgba[at + c])]
+                    code[usize::from(self.rgba[at + c])]
                 }))
             })
         });

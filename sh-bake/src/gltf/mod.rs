@@ -295,7 +295,10 @@ fn material(
             "TEXCOORD: a texture coordinate is {uv:?}, and they have to be finite"
         ));
     }
-    Ok(Material { albedo, texture })
+    Ok(Material {
+        texture,
+        ..Material::diffuse(albedo)
+    })
 }
 
 /// Takes what a part reflects to 0..=1. What was outside, without a full stop.

@@ -33,8 +33,8 @@ fn checkered(mesh: &mut Mesh, fields: f32) -> Material {
         rgba,
     });
     Material {
-        albedo: [1.0; 3],
         texture,
+        ..Material::default()
     }
 }
 

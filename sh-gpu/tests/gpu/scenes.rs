@@ -127,6 +127,7 @@ pub fn standing_quad() -> Scene {
             window: Some(8.0),
             half_resolution: false,
             limits: Limits::default(),
+            gloss: true,
             indirect: None,
         },
     }
