@@ -10,6 +10,7 @@ const CAP_LOG_TABLE: &str = include_str!("../data/cap_log_table.txt");
 const LENS: &str = include_str!("../data/lens.txt");
 const OPTIMAL_LINEAR: &str = include_str!("../data/optimal_linear.txt");
 const BALL: &str = include_str!("../data/ball.txt");
+const GLOSS: &str = include_str!("../data/gloss.txt");
 const HORIZON: &str = include_str!("../data/horizon.txt");
 const SATURATING: &str = include_str!("../data/saturating.txt");
 const SHADING: &str = include_str!("../data/shading.txt");
@@ -44,6 +45,70 @@ fn rows(text: &str, words: &[&str]) -> Vec<Vec<f64>> {
                 .collect()
         })
         .collect()
+}
+
+/// One of the fitted numbers of a polished surface's lobe, of roughness and cosine.
+fn of_gloss(g: &mut Graph, name: &[&str], roughness: Value, cosine: Value) -> Value {
+    let (zero, one) = (g.constant(0.0), g.constant(1.0));
+    let (two, minus_one) = (g.constant(2.0), g.constant(-1.0));
+    let [x, y] = [roughness, cosine].map(|v| {
+        let v = g.max(v, zero);
+        let v = g.min(v, one);
+        g.mul_add(two, v, minus_one)
+    });
+    let mut sum = None;
+    for power in (0..)
+        .map_while(|power: usize| {
+            let power = power.to_string();
+            rows(GLOSS, &[name, &[&power]].concat()).pop()
+        })
+        .collect::<Vec<_>>()
+        .iter()
+        .rev()
+    {
+        let along = g.horner(power, y);
+        sum = Some(match sum {
+            Some(sum) => g.mul_add(sum, x, along),
+            None => along,
+        });
+    }
+    sum.expect("gloss.txt has all of its numbers")
+}
+
+/// What a polished surface's lobe mirrors of an even sky, and the part of it that grows with Fresnel's reflectance at
+/// grazing angles.
+pub fn gloss_energy(g: &mut Graph, roughness: Value, cosine: Value) -> Vec<Value> {
+    let (zero, one, least) = (g.constant(0.0), g.constant(1.0), g.constant(LEAST_ENERGY));
+    let energy = of_gloss(g, &["energy"], roughness, cosine);
+    let energy = g.min(energy, one);
+    let energy = g.max(energy, least);
+    let grazing = of_gloss(g, &["grazing"], roughness, cosine);
+    let grazing = g.max(grazing, zero);
+    vec![energy, g.min(grazing, energy)]
+}
+
+/// Below what any surface mirrors: what is divided by.
+const LEAST_ENERGY: f64 = 0.25;
+
+/// The sine of the axis of a polished surface's lobe, over that of the mirrored direction.
+pub fn gloss_tilt(g: &mut Graph, roughness: Value, cosine: Value) -> Value {
+    let (zero, one) = (g.constant(0.0), g.constant(1.0));
+    let tilt = of_gloss(g, &["tilt"], roughness, cosine);
+    let tilt = g.max(tilt, zero);
+    g.min(tilt, one)
+}
+
+/// The mean of P_l over a polished surface's lobe, about its axis.
+pub fn gloss_lobe(g: &mut Graph, order: usize, roughness: Value, cosine: Value) -> Vec<Value> {
+    let one = g.constant(1.0);
+    let bands = (0..order).map(|l| match l {
+        0 => one,
+        _ => {
+            let band = of_gloss(g, &["band", &l.to_string()], roughness, cosine);
+            g.min(band, one)
+        }
+    });
+    bands.collect()
 }
 
 /// Coefficients of a fitted cap logarithm, by what it is fitted to (see [`CAP_LOGS`]): for each band, powers of

@@ -109,11 +109,60 @@ pub const TRANSFER_BRIGHT: f64 = 0.5;
 /// Compressed as in [`saturating`], then `h(x) = (1 + x/4)⁴` of each sample, x held in −4..1/2, times the cosine lobe about
 /// `d`, projected. The lobe has all bands that couple light of the order with a visibility of the order.
 pub fn transfer(g: &mut Graph, order: usize, f: &[Value], d: &[Value]) -> Vec<Value> {
+    let (odd, even) = lobe(2 * order - 2);
+    let odd = g.constant(odd);
+    through(g, order, f, d, |g, cosine| {
+        let squared = g.mul(cosine, cosine);
+        let lobe = g.horner(&even, squared);
+        g.mul_add(odd, cosine, lobe)
+    })
+}
+
+/// The same with a lobe about `d` of which band l is `w[l]`, held in −1..1, times that of a lobe of no width.
+pub fn transfer_lobe(
+    g: &mut Graph,
+    order: usize,
+    f: &[Value],
+    d: &[Value],
+    w: &[Value],
+) -> Vec<Value> {
+    // Powers of the cosine, from those of each band's polynomial.
+    let mut powers = vec![None; order];
+    let (most, least) = (g.constant(1.0), g.constant(-1.0));
+    for (l, w) in w.iter().enumerate() {
+        let w = g.min(*w, most);
+        let w = g.max(w, least);
+        let scale = (2 * l + 1) as f64 / (4.0 * std::f64::consts::PI);
+        for (power, c) in legendre_derivative(l, 0).iter().enumerate() {
+            let c = scale * c.real().to_f64();
+            if c != 0.0 {
+                let c = g.constant(c);
+                powers[power] = Some(match powers[power] {
+                    Some(sum) => g.mul_add(c, w, sum),
+                    None => g.mul(c, w),
+                });
+            }
+        }
+    }
+    let powers: Vec<Value> = powers.into_iter().flatten().collect();
+    through(g, order, f, d, |g, cosine| {
+        let mut all = powers.iter().rev();
+        let last = *all.next().expect("an order has bands");
+        all.fold(last, |sum, power| g.mul_add(sum, cosine, *power))
+    })
+}
+
+/// Samples of the visibility whose logarithm is `f`, each times a function of its cosine with `d`, projected.
+fn through(
+    g: &mut Graph,
+    order: usize,
+    f: &[Value],
+    d: &[Value],
+    mut lobe: impl FnMut(&mut Graph, Value) -> Value,
+) -> Vec<Value> {
     let x = compressed(g, fits::shading(order), f);
     let (quarter, one) = (g.constant(0.25), g.constant(1.0));
     let (dark, bright) = (g.constant(0.0), g.constant(1.0 + TRANSFER_BRIGHT / 4.0));
-    let (odd, even) = lobe(2 * order - 2);
-    let odd = g.constant(odd);
     let points = points(order, Fineness::Medium);
     pointwise_towards(g, order, points, &x, d, |g, x, cosine| {
         let root = g.mul_add(quarter, x, one);
@@ -121,9 +170,7 @@ pub fn transfer(g: &mut Graph, order: usize, f: &[Value], d: &[Value]) -> Vec<Va
         let root = g.min(root, bright);
         let square = g.mul(root, root);
         let visible = g.mul(square, square);
-        let squared = g.mul(cosine, cosine);
-        let lobe = g.horner(&even, squared);
-        let lobe = g.mul_add(odd, cosine, lobe);
+        let lobe = lobe(g, cosine);
         g.mul(visible, lobe)
     })
 }

@@ -97,6 +97,8 @@ pub fn arguments(routine: &Routine, order: usize, random: &mut Random, i: usize)
             // A sphere's height over its radius, wholly below to wholly above, and the square of a sine.
             ("height", Shape::Scalar) => vec![1.2 * random.signed()],
             ("square", Shape::Scalar) => vec![random.unit()],
+            // All that there are, and a little beyond.
+            ("roughness" | "cosine", _) => vec![1.2 * random.unit() - 0.1],
             ("d", Shape::Scalar) => vec![3.0 * random.unit()],
             (_, Shape::Direction) if i < 6 => {
                 let mut d = vec![0.0; 3];

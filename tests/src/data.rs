@@ -10,6 +10,7 @@ pub const BALL: Data = Data(include_str!("../../codegen/data/ball.txt"));
 /// Logarithms of caps.
 pub const CAP_LOG: Data = Data(include_str!("../../codegen/data/cap_log.txt"));
 /// The sphere that a horizon cuts.
+pub const GLOSS: Data = Data(include_str!("../../codegen/data/gloss.txt"));
 pub const HORIZON: Data = Data(include_str!("../../codegen/data/horizon.txt"));
 /// The common part of two discs.
 pub const LENS: Data = Data(include_str!("../../codegen/data/lens.txt"));

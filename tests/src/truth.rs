@@ -80,21 +80,30 @@ fn saturating(order: usize, f: &[f64]) -> Vec<f64> {
 }
 
 /// The transfer as its documentation defines it: samples of f on a rule, the shading exponential of each, times the lobe.
-fn transfer(order: usize, f: &[f64], normal: [f64; 3]) -> Vec<f64> {
+fn transfer(order: usize, f: &[f64], lobe: &[f64]) -> Vec<f64> {
     let rest: f64 = f[1..].iter().map(|f| f * f).sum();
     let beta = data::SHADING.row(&format!("compression {order}"))[0];
     let root = (1.0 + beta * rest / (4.0 * std::f64::consts::PI)).sqrt();
     let x: Vec<f64> = f.iter().map(|f| f / root).collect();
-    let lobe = reference::zonal::cosine(2 * order - 1, normal);
     let mut sum = vec![0.0; order * order];
     for &(point, weight) in rule(order, MEDIUM) {
         let t = reference::basis::evaluate(&x, point).clamp(-4.0, 0.5);
-        let value = (1.0 + t / 4.0).powi(4) * reference::basis::evaluate(&lobe, point);
+        let value = (1.0 + t / 4.0).powi(4) * reference::basis::evaluate(lobe, point);
         for (sum, y) in sum.iter_mut().zip(reference::basis::basis(order, point)) {
             *sum += weight * value * y;
         }
     }
     sum
+}
+
+/// One of the numbers of a polished surface's lobe, of its roughness and a cosine.
+fn gloss(name: &str, a: &[Vec<f64>]) -> f64 {
+    let [x, y] = [0, 1].map(|i| 2.0 * a[i][0].clamp(0.0, 1.0) - 1.0);
+    let powers = (0..5).map(|power| data::GLOSS.row(&format!("{name} {power}")));
+    let terms = powers
+        .enumerate()
+        .map(|(i, row)| polynomial(&row, y) * x.powi(i as i32));
+    terms.sum()
 }
 
 /// A rotation matrix's action on a vector, by quadrature like the quaternion's.
@@ -199,7 +208,25 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
             let f = t * (first + t * (second + t * (1.0 - first - second)));
             vec![f.max(0.0) * (b / a).powi(2).min(1.0)]
         }
-        "transfer" => transfer(order, &a[0], three(&a[1])),
+        "transfer" => {
+            let lobe = reference::zonal::cosine(2 * order - 1, three(&a[1]));
+            transfer(order, &a[0], &lobe)
+        }
+        "transfer_lobe" => {
+            let y = reference::basis::basis(order, three(&a[1]));
+            let bands = (0..order).flat_map(|l| vec![a[2][l].clamp(-1.0, 1.0); 2 * l + 1]);
+            let lobe: Vec<f64> = y.iter().zip(bands).map(|(y, w)| y * w).collect();
+            transfer(order, &a[0], &lobe)
+        }
+        "gloss_lobe" => {
+            let bands = (1..order).map(|l| gloss(&format!("band {l}"), &a).min(1.0));
+            std::iter::once(1.0).chain(bands).collect()
+        }
+        "gloss_tilt" => vec![gloss("tilt", &a).clamp(0.0, 1.0)],
+        "gloss_energy" => {
+            let energy = gloss("energy", &a).clamp(0.25, 1.0);
+            vec![energy, gloss("grazing", &a).clamp(0.0, energy)]
+        }
         "horizon_radius" => {
             // A sphere that touches from above, seen from where it does, is as any next to it.
             let u = (0.5 + 0.5 * a[0][0]).clamp(0.0, 1.0 - f64::from(f32::EPSILON));

@@ -60,6 +60,7 @@ fn scene() -> Scene {
             window: None,
             half_resolution: true,
             limits: Limits::default(),
+            gloss: true,
             indirect: Some(Indirect {
                 bounces: 2,
                 ..Indirect::default()
