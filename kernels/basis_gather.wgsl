@@ -7,6 +7,8 @@
 #import shared/records
 #import shared/invocation
 #import shared/scan
+#import shared/lit
+#import shared/gloss
 #import shared/bounds
 #import shared/clusters
 #import shared/blocker
@@ -24,6 +26,8 @@
 @group(0) @binding(4) var<storage, read> regions: array<Region>;
 // Of each body: what each patch sends on and what its body sends it, then coefficients of regions, then the brightest.
 @group(0) @binding(5) var<storage, read> light: array<vec4f>;
+// Where the picture is seen from.
+@group(0) @binding(6) var<uniform> eye: vec4f;
 @group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
 // First receiver and how many.
 @group(1) @binding(1) var<storage, read> clusters: array<vec2u>;
@@ -42,15 +46,16 @@ fn gather(
     let range = cluster_range(workgroup.z * workgroups.y + workgroup.y);
     let at = workgroup.x * WORKGROUP + lane;
     let receiver = receiver_at(range, at);
-    sum_up_to(lane, receiver.covered);
+    sum_up_to(lane, u32(is_lit(receiver)));
     if (workgroupUniformLoad(&sums[WORKGROUP - 1u]) == 0u) {
         return;
     }
     let bounds = cluster_bounds(range.x, range.y, lane);
     let count = coarse_cut(bounds, lane);
-    if (receiver.covered == 0u) {
+    if (!is_lit(receiver)) {
         return;
     }
+    let gloss = gloss_of(receiver, eye.xyz);
     var sent = vec3f(0.0);
     var brightest = vec3f(0.0);
     for (var body = 0u; body < arrayLength(&bodies); body += 1u) {
@@ -64,7 +69,7 @@ fn gather(
                 sent += itself(receiver, body);
             }
         } else {
-            sent += sent_by(receiver, body, count, bounds);
+            sent += sent_by(receiver, gloss, body, count, bounds);
         }
     }
     radiance[range.x + at] += vec4f(bounded(sent, brightest), 0.0);

@@ -14,12 +14,19 @@ struct Body {
     world_from_object: mat4x4f,
     albedo: vec3f,
     object: u32,
+    // 1 where it mirrors light.
+    glossy: u32,
+    roughness: f32,
+    metallic: f32,
+    tail: u32,
 }
 
 @group(0) @binding(0) var<uniform> band: Band;
 @group(1) @binding(0) var<uniform> body: Body;
 // White where a body has no texture.
 @group(1) @binding(1) var base_color: texture_2d<f32>;
+// The same for roughness (green) and metallic (blue).
+@group(1) @binding(2) var finish: texture_2d<f32>;
 
 struct Fragment {
     @builtin(position) clip: vec4f,
@@ -30,17 +37,17 @@ struct Fragment {
 }
 
 // Two textures of 128 bits a sample, the most that WebGPU's default limits allow: position and object;
-// octahedral normal, albedo in 16 bits a channel, and 1 in the last 16 bits where something is hit.
+// octahedral normal, albedo in 16 bits a channel, and in the last 16 bits, which are not 0 where something is hit, the finish.
 struct Targets {
     @location(0) place: vec4u,
     @location(1) surface: vec4u,
 }
 
-fn targets(position: vec3f, object: u32, normal: vec3f, albedo: vec3f) -> Targets {
+fn targets(position: vec3f, object: u32, normal: vec3f, albedo: vec3f, packed: u32) -> Targets {
     let surface = vec4u(
         bitcast<vec2u>(octahedral_from_unit(normal)),
         pack2x16unorm(albedo.rg),
-        pack2x16unorm(vec2f(albedo.b, 1.0)),
+        pack2x16unorm(vec2f(albedo.b, 0.0)) | packed << 16u,
     );
     return Targets(vec4u(bitcast<vec3u>(position), object), surface);
 }
@@ -57,22 +64,31 @@ fn body_vertex(
     return Fragment(band.clip_from_world * world, world.xyz, turned, uv, color);
 }
 
-// The base colour, bilinear between texel centres, repeated in both directions. By hand, because a
+// A texture, bilinear between texel centres, repeated in both directions. By hand, because a
 // sampler's weights have 8 bits only.
-fn textured(uv: vec2f) -> vec3f {
-    let size = vec2i(textureDimensions(base_color));
+fn textured(map: texture_2d<f32>, uv: vec2f) -> vec3f {
+    let size = vec2i(textureDimensions(map));
     let place = fract(uv) * vec2f(size) - 0.5;
     let corner = floor(place);
     let weight = place - corner;
     let low = (vec2i(corner) + size) % size;
     let high = (low + 1) % size;
-    let above = mix(color_at(low.x, low.y), color_at(high.x, low.y), weight.x);
-    let below = mix(color_at(low.x, high.y), color_at(high.x, high.y), weight.x);
+    let above = mix(texel(map, low.x, low.y), texel(map, high.x, low.y), weight.x);
+    let below = mix(texel(map, low.x, high.y), texel(map, high.x, high.y), weight.x);
     return mix(above, below, weight.y);
 }
 
-fn color_at(column: i32, row: i32) -> vec3f {
-    return textureLoad(base_color, vec2i(column, row), 0).rgb;
+fn texel(map: texture_2d<f32>, column: i32, row: i32) -> vec3f {
+    return textureLoad(map, vec2i(column, row), 0).rgb;
+}
+
+// What a sample keeps of its finish, as sh_scene::Finish has it.
+fn packed_finish(roughness: f32, metallic: f32) -> u32 {
+    if (body.glossy == 0u || !(roughness < 1.0 || metallic > 0.0)) {
+        return MATT;
+    }
+    let byte = 1u + u32(clamp(roughness, 0.0, 1.0) * ROUGHNESS_STEPS + 0.5);
+    return byte | u32(clamp(metallic, 0.0, 1.0) * 255.0 + 0.5) << 8u;
 }
 
 @fragment
@@ -82,8 +98,10 @@ fn body_fragment(fragment: Fragment) -> Targets {
     let plane = cross(dpdx(fragment.position), dpdy(fragment.position));
     let behind = dot(plane, fragment.normal) * dot(plane, fragment.position - band.eye) > 0.0;
     let normal = normalize(select(fragment.normal, -fragment.normal, behind));
-    let albedo = body.albedo * textured(fragment.uv) * fragment.color;
-    return targets(fragment.position, body.object, normal, albedo);
+    let albedo = body.albedo * textured(base_color, fragment.uv) * fragment.color;
+    let told = textured(finish, fragment.uv);
+    let packed = packed_finish(body.roughness * told.g, body.metallic * told.b);
+    return targets(fragment.position, body.object, normal, albedo, packed);
 }
 
 // A triangle that covers the band.
@@ -113,6 +131,7 @@ fn ground_fragment(@builtin(position) place: vec4f) -> GroundTargets {
         GROUND,
         vec3f(0.0, 1.0, 0.0),
         band.ground_albedo,
+        MATT,
     );
     return GroundTargets(min(band.near / depth, 1.0), written.place, written.surface);
 }
@@ -151,6 +170,12 @@ fn pack(
     }
     let place = textureLoad(places, cell, 0);
     let normal = unit_from_octahedral(bitcast<vec2f>(surface.xy));
-    receivers[index] = Receiver(bitcast<vec3f>(place.xyz), 1u, normal, place.w);
-    albedo[index] = vec4f(unpack2x16unorm(surface.z), unpack2x16unorm(surface.w).x, 0.0);
+    let packed = surface.w >> 16u;
+    var covered = 1u;
+    if ((packed & MATT) != MATT) {
+        covered |= (packed & MATT) << ROUGHNESS_SHIFT;
+    }
+    receivers[index] = Receiver(bitcast<vec3f>(place.xyz), covered, normal, place.w);
+    let metallic = f32(packed >> 8u) / 255.0;
+    albedo[index] = vec4f(unpack2x16unorm(surface.z), unpack2x16unorm(surface.w).x, metallic);
 }

@@ -3,6 +3,8 @@
 
 #import shared/records
 #import shared/invocation
+#import shared/lit
+#import shared/gloss
 #import shared/light
 #import shared/emitted
 #import constants
@@ -10,6 +12,8 @@
 
 @group(0) @binding(0) var<uniform> lighting: Lighting;
 @group(0) @binding(1) var<storage, read> emitters: array<Emitter>;
+// Where the picture is seen from.
+@group(0) @binding(2) var<uniform> eye: vec4f;
 @group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
 // Radiance reflected by albedo 1: red, green, blue, 0.
 @group(1) @binding(1) var<storage, read_write> radiance: array<vec4f>;
@@ -26,9 +30,11 @@ fn irradiance(
     }
     let receiver = receivers[index];
     var result = vec3f(0.0);
-    if (receiver.covered != 0u) {
+    if (is_lit(receiver)) {
+        let gloss = gloss_of(receiver, eye.xyz);
         let lobe = sh$N_cosine(receiver.normal);
-        result = max(reflected(lobe), vec3f(0.0)) + unshadowed_lamps(lobe, receiver);
+        result = max(reflected(lobe_of(receiver, gloss)), vec3f(0.0));
+        result += unshadowed_lamps(lobe, receiver, gloss);
     }
     radiance[index] = vec4f(result, 0.0);
 }

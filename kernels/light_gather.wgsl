@@ -10,6 +10,8 @@
 #import shared/records
 #import shared/invocation
 #import shared/scan
+#import shared/lit
+#import shared/gloss
 #import shared/bounds
 #import shared/clusters
 #import shared/cut
@@ -30,6 +32,8 @@
 @group(0) @binding(2) var<storage, read> members: array<vec2u>;
 // What each node sends on: its coefficients, and the brightest that it is anywhere.
 @group(0) @binding(3) var<storage, read> emission: array<vec4f>;
+// Where the picture is seen from.
+@group(0) @binding(4) var<uniform> eye: vec4f;
 @group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
 // First receiver and how many.
 @group(1) @binding(1) var<storage, read> clusters: array<vec2u>;
@@ -45,20 +49,21 @@ fn gather_discs(
     let range = cluster_range(workgroup.z * workgroups.y + workgroup.y);
     let at = workgroup.x * WORKGROUP + lane;
     let receiver = receiver_at(range, at);
-    sum_up_to(lane, receiver.covered);
+    sum_up_to(lane, u32(is_lit(receiver)));
     if (workgroupUniformLoad(&sums[WORKGROUP - 1u]) == 0u || lighting.nodes == 0u) {
         return;
     }
     let bounds = cluster_bounds(range.x, range.y, lane);
     let count = list_cut(bounds, lane);
+    let gloss = gloss_of(receiver, eye.xyz);
     var sent = vec3f(0.0);
     if (count <= ROOM) {
         find_hiders(count, bounds, lane);
-        if (receiver.covered != 0u) {
-            sent = discs_in_memory(receiver, count);
+        if (is_lit(receiver)) {
+            sent = discs_in_memory(receiver, gloss, count);
         }
     } else {
-        sent = discs_of_all(receiver, bounds, lane);
+        sent = discs_of_all(receiver, gloss, bounds, lane);
     }
     add(range.x + at, receiver, sent);
 }
@@ -72,27 +77,28 @@ fn gather_sums(
     let range = cluster_range(workgroup.z * workgroups.y + workgroup.y);
     let at = workgroup.x * WORKGROUP + lane;
     let receiver = receiver_at(range, at);
-    sum_up_to(lane, receiver.covered);
+    sum_up_to(lane, u32(is_lit(receiver)));
     if (workgroupUniformLoad(&sums[WORKGROUP - 1u]) == 0u || lighting.nodes == 0u) {
         return;
     }
     let bounds = cluster_bounds(range.x, range.y, lane);
     let count = list_cut(bounds, lane);
+    let gloss = gloss_of(receiver, eye.xyz);
     var sent = vec3f(0.0);
     if (count <= ROOM) {
         order_cut(count, bounds, lane);
-        if (receiver.covered != 0u) {
-            sent = sums_in_memory(receiver, count, bounds.xyz);
+        if (is_lit(receiver)) {
+            sent = sums_in_memory(receiver, gloss, count, bounds.xyz);
         }
     } else {
-        sent = sums_of_all(receiver, bounds, lane);
+        sent = sums_of_all(receiver, gloss, bounds, lane);
     }
     add(range.x + at, receiver, sent);
 }
 
 // No part of any surface sends on more than the brightest of all.
 fn add(index: u32, receiver: Receiver, sent: vec3f) {
-    if (receiver.covered != 0u) {
+    if (is_lit(receiver)) {
         radiance[index] += vec4f(bounded(sent, emission[SENT - 1u].rgb), 0.0);
     }
 }

@@ -7,6 +7,8 @@
 
 #import shared/records
 #import shared/invocation
+#import shared/lit
+#import shared/gloss
 #import shared/scan
 #import shared/bounds
 #import shared/visibility
@@ -21,6 +23,8 @@
 @group(0) @binding(1) var<storage, read> emitters: array<Emitter>;
 // Each before those below it.
 @group(0) @binding(2) var<storage, read> nodes: array<Node>;
+// Where the picture is seen from.
+@group(0) @binding(3) var<uniform> eye: vec4f;
 @group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
 // First receiver and how many.
 @group(1) @binding(1) var<storage, read> clusters: array<vec2u>;
@@ -49,7 +53,7 @@ fn shadow(
     if (inside) {
         receiver = receivers[index];
     }
-    let covered = receiver.covered != 0u;
+    let covered = is_lit(receiver);
     sum_up_to(lane, u32(covered));
     if (workgroupUniformLoad(&sums[WORKGROUP - 1u]) == 0u) {
         if (inside) {
@@ -58,6 +62,7 @@ fn shadow(
         return;
     }
     let bounds = cluster_bounds(first, count, lane);
+    let gloss = gloss_of(receiver, eye.xyz);
     // First all light, and then one by one the lamps that may have blockers behind them.
     var result = vec3f(0.0);
     var lamps = 0u;
@@ -73,14 +78,24 @@ fn shadow(
         if (!covered) {
             continue;
         }
+        if (GLOSS && lamp == NO_LAMP) {
+            let mirrored = mirrored_of(found.sum, gloss);
+            result = bounded(reflected(mirrored), reflected(lobe_of(receiver, gloss)));
+            if (!LAMPS) {
+                continue;
+            }
+        }
+        // Lamps are hidden as those who reflect diffusely have it: of a lobe little may be left where a lamp is.
         let transfer = transfer_of(found.sum, receiver.normal);
         let lobe = sh$N_cosine(receiver.normal);
-        if (lamp == NO_LAMP) {
-            result = bounded(reflected(transfer), reflected(lobe));
-            result += emitted(transfer, lobe, receiver, 0u, lighting.emitters, lamps);
-        } else {
-            result += emitted(transfer, lobe, receiver, lamp, lamp + 1u, 0u);
+        if (lamp != NO_LAMP) {
+            result += emitted(transfer, lobe, receiver, gloss, lamp, lamp + 1u, 0u);
+            continue;
         }
+        if (!GLOSS) {
+            result = bounded(reflected(transfer), reflected(lobe));
+        }
+        result += emitted(transfer, lobe, receiver, gloss, 0u, lighting.emitters, lamps);
     }
     if (inside) {
         radiance[index] = vec4f(result, 0.0);
@@ -89,7 +104,17 @@ fn shadow(
 
 // What leads from light of the light's order to radiance, of the order of accumulation the lower bands.
 fn transfer_of(sum: array<f32, $B>, normal: vec3f) -> array<f32, $C> {
-    let all = sh$A_transfer(sh$A_accumulated_log(sum), normal);
+    return lower(sh$A_transfer(sh$A_accumulated_log(sum), normal));
+}
+
+// The same for what is mirrored.
+fn mirrored_of(sum: array<f32, $B>, gloss: Gloss) -> array<f32, $C> {
+    let bands = sh$A_gloss_lobe(gloss.roughness, gloss.facing);
+    return lower(sh$A_transfer_lobe(sh$A_accumulated_log(sum), gloss.axis, bands));
+}
+
+// The bands that the light has.
+fn lower(all: array<f32, $B>) -> array<f32, $C> {
     var transfer = array<f32, $C>();
     for (var i = 0u; i < $Cu; i += 1u) {
         transfer[i] = all[i];

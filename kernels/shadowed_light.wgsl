@@ -6,6 +6,7 @@
 
 #import shared/records
 #import shared/invocation
+#import shared/lit
 #import shared/scan
 #import shared/bounds
 #import shared/visibility
@@ -48,7 +49,7 @@ fn shadowed_light(
     if (inside) {
         receiver = receivers[index];
     }
-    let covered = receiver.covered != 0u;
+    let covered = is_lit(receiver);
     sum_up_to(lane, u32(covered));
     if (workgroupUniformLoad(&sums[WORKGROUP - 1u]) == 0u) {
         if (inside) {

@@ -13,6 +13,7 @@
 #import shared/tiles
 #import shared/light
 #import shared/emitted
+#import shared/gloss
 #import constants
 #import library
 
@@ -29,7 +30,7 @@
 // Light without blockers.
 fn unshadowed(receiver: Receiver) -> vec3f {
     let lobe = sh$N_cosine(receiver.normal);
-    return max(reflected(lobe), vec3f(0.0)) + unshadowed_lamps(lobe, receiver);
+    return max(reflected(lobe), vec3f(0.0)) + unshadowed_lamps(lobe, receiver, Gloss());
 }
 
 @compute @workgroup_size(WORKGROUP)

@@ -49,6 +49,44 @@ pub fn trace(
     paths: u32,
     progress: &(dyn Fn(f32) + Sync),
 ) -> Vec<Radiance> {
+    each(receivers, progress, |i, receiver| {
+        let [point, normal] = place(receiver);
+        tracer.radiance(point, normal, paths, (first + i) as u32)
+    })
+}
+
+/// The mean of what those receivers that mirror light see in their lobe, looked at from `eye`; black for all others. As
+/// [`trace`] for the rest.
+pub fn trace_mirrored(
+    tracer: &PathTracer,
+    (receivers, eye): (&[Receiver], [f32; 3]),
+    first: usize,
+    paths: u32,
+    progress: &(dyn Fn(f32) + Sync),
+) -> Vec<Radiance> {
+    each(receivers, progress, |i, receiver| {
+        let Some(roughness) = receiver.roughness() else {
+            return Radiance::default();
+        };
+        let [point, normal] = place(receiver);
+        let away = [0, 1, 2].map(|k| f64::from(eye[k]) - point[k]);
+        let far = away.iter().map(|c| c * c).sum::<f64>().sqrt();
+        let view = away.map(|c| c / far.max(f64::MIN_POSITIVE));
+        let lobe = (view, f64::from(roughness));
+        tracer.mirrored([point, normal], lobe, paths, (first + i) as u32)
+    })
+}
+
+fn place(receiver: &Receiver) -> [[f64; 3]; 2] {
+    [receiver.position, receiver.normal].map(|v| v.map(f64::from))
+}
+
+/// Something of every receiver that is there, on all threads.
+fn each(
+    receivers: &[Receiver],
+    progress: &(dyn Fn(f32) + Sync),
+    found: impl Fn(usize, &Receiver) -> Radiance + Sync,
+) -> Vec<Radiance> {
     let done = AtomicUsize::new(0);
     let one = |(i, receiver): (usize, &Receiver)| {
         let finished = 1 + done.fetch_add(1, Ordering::Relaxed);
@@ -58,8 +96,7 @@ pub fn trace(
         if receiver.covered == 0 {
             return Radiance::default();
         }
-        let [point, normal] = [receiver.position, receiver.normal].map(|v| v.map(f64::from));
-        tracer.radiance(point, normal, paths, (first + i) as u32)
+        found(i, receiver)
     };
     receivers.par_iter().enumerate().map(one).collect()
 }

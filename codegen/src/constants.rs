@@ -44,7 +44,7 @@ pub struct Constant {
 /// All constants, topic by topic.
 pub fn all() -> impl Iterator<Item = &'static Constant> {
     [
-        ORDER, STORAGE, GRID, BALL, CUT, COARSE, LAMP, SENDER, PATCH, ANGLE,
+        ORDER, STORAGE, GRID, BALL, CUT, COARSE, LAMP, SENDER, PATCH, GLOSS, ANGLE,
     ]
     .into_iter()
     .flatten()
@@ -322,6 +322,42 @@ const PATCH: &[Constant] = &[
         name: "BEHIND",
         value: Double(0.25),
         doc: "How far behind its plane a disc is gone, over what receivers are lifted: no more than what is curved sticks out.",
+    },
+];
+
+/// Polished surfaces.
+const GLOSS: &[Constant] = &[
+    Constant {
+        name: "ROUGHNESS_STEPS",
+        value: Single(253.0),
+        doc: "Steps between roughness 0 and 1 that pictures tell apart, from 1 on in a byte.",
+    },
+    Constant {
+        name: "MATT",
+        value: Word(255),
+        doc: "The byte of a sample that reflects diffusely alone.",
+    },
+    Constant {
+        name: "ROUGHNESS_SHIFT",
+        value: Word(8),
+        doc: "Bits of what a receiver says of being covered below the byte of its roughness.",
+    },
+    Constant {
+        name: "SMOOTHEST",
+        value: Double(0.0025),
+        doc: "The least α of a lobe, that of roughness 1/20: below it squares of cosines near 1 have no digits left in single \
+              precision.",
+    },
+    Constant {
+        name: "FACING",
+        value: Double(0.02),
+        doc: "The least cosine between normal and view that a lobe is found for: interpolated normals lean away from the eye, where \
+              there is none.",
+    },
+    Constant {
+        name: "DIELECTRIC",
+        value: Double(0.04),
+        doc: "What a surface that is no metal mirrors of light from the front: a refractive index of 1.5.",
     },
 ];
 

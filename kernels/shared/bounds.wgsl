@@ -2,6 +2,7 @@
 
 #import shared/records
 #import shared/invocation
+#import shared/lit
 #import constants
 
 var<workgroup> lowest: array<vec3f, WORKGROUP>;
@@ -10,13 +11,13 @@ var<workgroup> highest: array<vec3f, WORKGROUP>;
 
 const LARGEST: f32 = 3.4028234e38;
 
-// Centre of the box around the covered ones of `count` receivers from `first` on, and the largest distance from
+// Centre of the box around those that are lit of `count` receivers from `first` on, and the largest distance from
 // there. All invocations of the workgroup have to call this, with the same numbers.
 fn cluster_bounds(first: u32, count: u32, lane: u32) -> vec4f {
     var low = vec3f(LARGEST);
     var high = vec3f(-LARGEST);
     for (var i = lane; i < count; i += WORKGROUP) {
-        if (receivers[first + i].covered != 0u) {
+        if (is_lit(receivers[first + i])) {
             low = min(low, receivers[first + i].position);
             high = max(high, receivers[first + i].position);
         }
@@ -28,7 +29,7 @@ fn cluster_bounds(first: u32, count: u32, lane: u32) -> vec4f {
     let center = corner + (workgroupUniformLoad(&highest[0]) - corner) * 0.5;
     var far = 0.0;
     for (var i = lane; i < count; i += WORKGROUP) {
-        if (receivers[first + i].covered != 0u) {
+        if (is_lit(receivers[first + i])) {
             let away = receivers[first + i].position - center;
             far = max(far, dot(away, away));
         }

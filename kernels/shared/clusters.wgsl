@@ -16,7 +16,6 @@ fn receiver_at(range: vec2u, at: u32) -> Receiver {
     var receiver = Receiver();
     if (at < range.y) {
         receiver = receivers[range.x + at];
-        receiver.covered = min(receiver.covered, 1u);
     }
     return receiver;
 }

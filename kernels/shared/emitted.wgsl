@@ -3,6 +3,7 @@
 
 #import shared/records
 #import shared/light
+#import shared/gloss
 #import constants
 #import library
 
@@ -75,6 +76,7 @@ fn emitted(
     transfer: array<f32, $C>,
     lobe: array<f32, $C>,
     receiver: Receiver,
+    gloss: Gloss,
     first: u32,
     end: u32,
     without: u32,
@@ -92,7 +94,11 @@ fn emitted(
             let open = sh$N_dot(light, lobe);
             if (open > 0.0) {
                 let lit = bounded(vec3f(sh$N_dot(light, transfer)), vec3f(open));
-                sum += share * (lit / open) * emitter_radiance(i, seen);
+                let size = 0.25 * seen.sine * seen.sine;
+                let along = dot(seen.direction, gloss.view);
+                let towards = dot(seen.direction, receiver.normal);
+                let counted = reflects(share, gloss, towards, along, size);
+                sum += counted * (lit / open) * emitter_radiance(i, seen);
             }
         }
     }
@@ -100,6 +106,6 @@ fn emitted(
 }
 
 // The same without blockers.
-fn unshadowed_lamps(lobe: array<f32, $C>, receiver: Receiver) -> vec3f {
-    return emitted(lobe, lobe, receiver, 0u, lighting.emitters, 0u);
+fn unshadowed_lamps(lobe: array<f32, $C>, receiver: Receiver, gloss: Gloss) -> vec3f {
+    return emitted(lobe, lobe, receiver, gloss, 0u, lighting.emitters, 0u);
 }

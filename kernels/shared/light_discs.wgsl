@@ -2,6 +2,8 @@
 
 #import shared/records
 #import shared/scan
+#import shared/lit
+#import shared/gloss
 #import shared/blocker
 #import shared/light_order
 #import shared/light_sent
@@ -67,14 +69,14 @@ fn find_hiders(count: u32, bounds: vec4f, lane: u32) {
 }
 
 // All spheres in workgroup memory, from the nearest on.
-fn discs_in_memory(receiver: Receiver, count: u32) -> vec3f {
+fn discs_in_memory(receiver: Receiver, gloss: Gloss, count: u32) -> vec3f {
     var sent = vec3f(0.0);
     // What nearer ones leave of each.
     var left: array<f32, ROOM>;
     for (var i = 0u; i < count; i += 1u) {
         left[i] = 1.0;
         let seen = seen_by(receiver, i);
-        let open = open_disc(seen, receiver.normal);
+        let open = open_disc(seen, receiver.normal, gloss);
         if (open <= 0.0) {
             continue;
         }
@@ -100,8 +102,8 @@ fn discs_in_memory(receiver: Receiver, count: u32) -> vec3f {
 }
 
 // Every sphere with all others, a chunk of the tree at a time.
-fn discs_of_all(receiver: Receiver, bounds: vec4f, lane: u32) -> vec3f {
-    let covered = receiver.covered != 0u;
+fn discs_of_all(receiver: Receiver, gloss: Gloss, bounds: vec4f, lane: u32) -> vec3f {
+    let covered = is_lit(receiver);
     var sent = vec3f(0.0);
     for (var chunk = 0u; chunk < lighting.nodes; chunk += WORKGROUP) {
         let senders = take_discs(chunk, 0u, bounds, lane);
@@ -111,7 +113,7 @@ fn discs_of_all(receiver: Receiver, bounds: vec4f, lane: u32) -> vec3f {
                 continue;
             }
             let seen = seen_by(receiver, i);
-            var visible = select(0.0, open_disc(seen, receiver.normal), covered);
+            var visible = select(0.0, open_disc(seen, receiver.normal, gloss), covered);
             for (var others = 0u; others < lighting.nodes; others += WORKGROUP) {
                 let count = take_discs(others, HALF, bounds, lane);
                 for (var j = HALF; j < HALF + count; j += 1u) {
@@ -142,9 +144,11 @@ fn take_discs(chunk: u32, at: u32, bounds: vec4f, lane: u32) -> u32 {
     return workgroupUniformLoad(&sums[WORKGROUP - 1u]);
 }
 
-// The cosine over a disc, of that over the sky.
-fn open_disc(seen: Blocker, normal: vec3f) -> f32 {
-    return seen.sine * seen.sine * max(dot(seen.direction, normal), 0.0);
+// The cosine over a disc, of that over the sky; or the lobe in which light is mirrored.
+fn open_disc(seen: Blocker, normal: vec3f, gloss: Gloss) -> f32 {
+    let square = seen.sine * seen.sine;
+    let towards = dot(seen.direction, normal);
+    return reflects(square * max(towards, 0.0), gloss, towards, dot(seen.direction, gloss.view), 0.25 * square);
 }
 
 // The part of sphere i's disc that sphere j hides, of which so much is seen, if it comes first.

@@ -4,6 +4,8 @@
 
 #import shared/records
 #import shared/scan
+#import shared/lit
+#import shared/gloss
 #import shared/cut
 #import shared/blocker
 #import shared/light_order
@@ -102,8 +104,8 @@ fn run_end(start: u32, count: u32) -> u32 {
 }
 
 // All spheres in workgroup memory, one run after another.
-fn sums_in_memory(receiver: Receiver, count: u32, middle: vec3f) -> vec3f {
-    let lobe = sh$N_cosine(receiver.normal);
+fn sums_in_memory(receiver: Receiver, gloss: Gloss, count: u32, middle: vec3f) -> vec3f {
+    let lobe = lobe_of(receiver, gloss);
     var sent = vec3f(0.0);
     // The sum over all runs that are done, and what is left to be seen behind it, where somebody needed that already.
     var nearer = array<f32, $C>();
@@ -149,9 +151,9 @@ fn sums_in_memory(receiver: Receiver, count: u32, middle: vec3f) -> vec3f {
 }
 
 // Every sphere with all others, a chunk of the tree at a time.
-fn sums_of_all(receiver: Receiver, bounds: vec4f, lane: u32) -> vec3f {
-    let covered = receiver.covered != 0u;
-    let lobe = sh$N_cosine(receiver.normal);
+fn sums_of_all(receiver: Receiver, gloss: Gloss, bounds: vec4f, lane: u32) -> vec3f {
+    let covered = is_lit(receiver);
+    let lobe = lobe_of(receiver, gloss);
     var sent = vec3f(0.0);
     for (var chunk = 0u; chunk < lighting.nodes; chunk += WORKGROUP) {
         let senders = take_spheres(chunk, 0u, bounds, lane);

@@ -3,6 +3,7 @@
 
 #import shared/records
 #import shared/scan
+#import shared/gloss
 #import shared/blocker
 #import shared/light
 #import constants
@@ -93,13 +94,22 @@ const HELD: u32 = 16u;
 struct Local {
     position: vec3f,
     normal: vec3f,
+    // The direction to the eye.
+    view: vec3f,
 }
 
-fn local_of(receiver: Receiver, body: u32) -> Local {
+// What it reflects of something of which it would reflect `open` diffusely.
+fn mirrored(open: f32, gloss: Gloss, cone: Cone, local: Local) -> f32 {
+    let along = dot(cone.direction, local.view);
+    return reflects(open, gloss, dot(cone.direction, local.normal), along, cone.sine * cone.sine);
+}
+
+fn local_of(receiver: Receiver, gloss: Gloss, body: u32) -> Local {
     let matrix = bodies[body].object_from_world;
     let position = (matrix * vec4f(receiver.position, 1.0)).xyz;
     let normal = (matrix * vec4f(receiver.normal, 0.0)).xyz * bodies[body].scale;
-    return Local(position, normal);
+    let view = (matrix * vec4f(gloss.view, 0.0)).xyz * bodies[body].scale;
+    return Local(position, normal, view);
 }
 
 fn see_hidden(receiver: Receiver, body: u32, at: u32) -> Hidden {
@@ -158,13 +168,13 @@ fn left_of(
 }
 
 // What a body sends to a receiver of another.
-fn sent_by(receiver: Receiver, body: u32, count: u32, bounds: vec4f) -> vec3f {
+fn sent_by(receiver: Receiver, gloss: Gloss, body: u32, count: u32, bounds: vec4f) -> vec3f {
     let own = bodies[body];
     let height = dot(own.center - receiver.position, receiver.normal);
     if (height <= -own.radius) {
         return vec3f(0.0);
     }
-    let local = local_of(receiver, body);
+    let local = local_of(receiver, gloss, body);
     var hiding: array<u32, ROOM>;
     var kept: array<Hidden, HELD>;
     var hiders = 0u;
@@ -216,7 +226,7 @@ fn sent_by(receiver: Receiver, body: u32, count: u32, bounds: vec4f) -> vec3f {
                     sent += basis[k] * light[start + k].rgb;
                 }
             }
-            sum += open * left * max(sent, vec3f(0.0));
+            sum += mirrored(open, gloss, cone, local) * left * max(sent, vec3f(0.0));
         }
         if (whole >= 1.0) {
             continue;
@@ -264,7 +274,8 @@ fn sent_by(receiver: Receiver, body: u32, count: u32, bounds: vec4f) -> vec3f {
                 }
                 if (open > 0.0) {
                     let left = left_of(receiver, body, &hiding, &kept, hiders, cone);
-                    sum += open * escape(facet.escape, -cone.direction) * left * radiance;
+                    let shown = escape(facet.escape, -cone.direction) * left;
+                    sum += mirrored(open, gloss, cone, local) * shown * radiance;
                 }
                 if (near <= 0.0) {
                     break;
@@ -343,7 +354,7 @@ fn escape(told: array<vec4f, 3>, u: vec3f) -> f32 {
 // What a body gives a receiver on it: what it gives its patches, by nearness.
 fn itself(receiver: Receiver, body: u32) -> vec3f {
     let own = bodies[body];
-    let local = local_of(receiver, body);
+    let local = local_of(receiver, Gloss(), body);
     var sum = vec3f(0.0);
     var all = NEAREST;
     for (var m = 0u; m < own.patches; m += 1u) {

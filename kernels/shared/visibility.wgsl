@@ -3,6 +3,7 @@
 
 #import shared/records
 #import shared/invocation
+#import shared/lit
 #import shared/scan
 #import shared/cut
 #import shared/blocker
@@ -29,7 +30,7 @@ struct LogVisibility {
 // The sum of a receiver's log visibilities, as the sky has it or a lamp. All invocations of the workgroup have to call this,
 // with the same bounds and lamp.
 fn log_visibility(receiver: Receiver, bounds: vec4f, lane: u32, lamp: u32) -> LogVisibility {
-    let covered = receiver.covered != 0u;
+    let covered = is_lit(receiver);
     let of_lamp = LAMPS && lamp != NO_LAMP;
     var sum = array<f32, $B>();
     var behind = 0u;

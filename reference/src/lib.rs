@@ -54,6 +54,7 @@ pub mod blockers;
 pub mod cap;
 pub mod environment;
 pub mod exp;
+pub mod gloss;
 pub mod horizon;
 pub mod lens;
 pub mod log;

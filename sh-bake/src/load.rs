@@ -293,8 +293,7 @@ fn of_entry(entry: &ObjectEntry, model: &Model, set: &SphereSet, first: usize) -
         } else {
             format!("{file}: {}", part.name)
         };
-        let mut material = part.material.clone();
-        material.albedo = entry.albedo.unwrap_or(material.albedo);
+        let material = entry.material(&part.material);
         let spheres = if i == 0 {
             set.spheres.clone()
         } else {

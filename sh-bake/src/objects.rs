@@ -5,6 +5,7 @@ use crate::keys::{FAR, Section, Source, albedo, beside};
 
 use glam::{EulerRot, Quat, Vec3};
 use sh_scene::motion::{Keys, Place};
+use sh_scene::{Finish, Material};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::de::DeTable;
@@ -18,6 +19,8 @@ pub(crate) struct ObjectEntry {
     pub(crate) spheres: usize,
     pub(crate) place: Place,
     pub(crate) albedo: Option<[f32; 3]>,
+    pub(crate) roughness: Option<f32>,
+    pub(crate) metallic: Option<f32>,
     pub(crate) clip: Option<ClipName>,
     pub(crate) keys: Option<Keys>,
 }
@@ -41,6 +44,8 @@ impl ObjectEntry {
             spheres: SPHERES,
             place: REST,
             albedo: None,
+            roughness: None,
+            metallic: None,
             clip: None,
             keys: None,
         }
@@ -61,6 +66,8 @@ impl ObjectEntry {
             "rotate",
             "scale",
             "albedo",
+            "roughness",
+            "metallic",
             "clip",
             "keys",
             "repeat",
@@ -80,9 +87,32 @@ impl ObjectEntry {
             spheres: spheres(&s)?,
             place,
             albedo: albedo(&s)?,
+            roughness: s.number("roughness", "from 0 to 1", |n| (0.0..=1.0).contains(&n))?,
+            metallic: s.number("metallic", "from 0 to 1", |n| (0.0..=1.0).contains(&n))?,
             clip,
             keys: keys(&s, place)?,
         })
+    }
+}
+
+impl ObjectEntry {
+    /// A material of the mesh's file, where the scene says otherwise. What a texture of the file says of the finish is then left
+    /// out, and of what the scene does not say the file's factor counts.
+    pub(crate) fn material(&self, file: &Material) -> Material {
+        let mut material = file.clone();
+        material.albedo = self.albedo.unwrap_or(material.albedo);
+        if self.roughness.is_some() || self.metallic.is_some() {
+            let Finish {
+                roughness,
+                metallic,
+            } = material.finish;
+            material.finish_texture = None;
+            material.finish = Finish {
+                roughness: self.roughness.unwrap_or(roughness),
+                metallic: self.metallic.unwrap_or(metallic),
+            };
+        }
+        material
     }
 }
 

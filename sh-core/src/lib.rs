@@ -62,6 +62,7 @@ pub mod constants;
 pub mod convention;
 pub mod exp;
 mod generated;
+pub mod gloss;
 mod lane;
 #[cfg(feature = "log")]
 pub mod log;

@@ -50,7 +50,7 @@ pub use passes::gbuffer::{Gbuffer, gbuffer};
 pub use passes::invalid::invalid;
 pub use passes::irradiance::{irradiance, irradiance_on};
 pub use passes::light_gather::{LightGather, light_gather};
-pub use passes::resolve::resolve;
+pub use passes::resolve::{SampleLight, resolve};
 pub use passes::shadow::{Shadow, bake, shade, shadow, shadow_clusters, shadow_on};
 pub use passes::upsample::{Failed, Halves, upsample};
 pub use run::{Frame, Frames, LightUpdate, Lit, Work, render};

@@ -39,6 +39,10 @@ pub(crate) struct Sets<'a> {
     pub samples: Gbuffer,
     pub sample_clusters: Vec<Range<usize>>,
     pub radiance: Vec<[f32; 3]>,
+    /// The samples, of which only those that mirror light are covered, where any may; and from where that is seen.
+    pub gloss: Vec<Receiver>,
+    pub gloss_radiance: Vec<[f32; 3]>,
+    pub eye: [f32; 3],
     pub rest: Failed,
     pub rest_radiance: Vec<[f32; 3]>,
     pub brought: &'a [Receiver],
@@ -55,6 +59,8 @@ pub(crate) struct Set<'s> {
     pub radiance: &'s mut Vec<[f32; 3]>,
     /// Light that spheres send, where it is kept apart.
     pub sent: Option<&'s mut Vec<[f32; 3]>>,
+    /// Where they are looked at from, if they mirror light.
+    pub eye: Option<[f32; 3]>,
 }
 
 impl Sets<'_> {
@@ -68,18 +74,28 @@ impl Sets<'_> {
                 clusters: &self.half_clusters,
                 radiance: &mut self.halves.shares,
                 sent: Some(&mut self.halves.sent),
+                eye: None,
             },
             Domain::Rest => Set {
                 receivers: &self.rest.receivers,
                 clusters: &self.rest.clusters,
                 radiance: &mut self.rest_radiance,
                 sent: None,
+                eye: None,
+            },
+            Domain::Gloss => Set {
+                receivers: &self.gloss,
+                clusters: &self.sample_clusters,
+                radiance: &mut self.gloss_radiance,
+                sent: None,
+                eye: Some(self.eye),
             },
             Domain::Receivers => Set {
                 receivers: self.brought,
                 clusters: self.brought_clusters,
                 radiance: &mut self.radiance,
                 sent: Some(&mut self.brought_sent),
+                eye: None,
             },
             // Pixels are made of samples; the others have no receivers, and no pass over them asks for any.
             Domain::Samples | Domain::Pixels | Domain::Spheres | Domain::Scene => Set {
@@ -87,12 +103,27 @@ impl Sets<'_> {
                 clusters: &self.sample_clusters,
                 radiance: &mut self.radiance,
                 sent: None,
+                eye: None,
             },
         }
     }
 }
 
 impl Sets<'_> {
+    /// Finds the samples that mirror light.
+    pub fn polish(&mut self, eye: [f32; 3]) {
+        self.eye = eye;
+        let all = self.samples.receivers.iter().map(|receiver| Receiver {
+            covered: match receiver.roughness() {
+                Some(_) => receiver.covered,
+                None => 0,
+            },
+            ..*receiver
+        });
+        self.gloss.clear();
+        self.gloss.extend(all);
+    }
+
     /// Those receivers of a domain that take light that bodies have sent.
     pub fn gathering(&mut self, domain: Domain) -> Set<'_> {
         let few = match domain {
@@ -116,6 +147,7 @@ impl Points {
             clusters: &self.clusters,
             radiance: &mut self.radiance,
             sent: Some(&mut self.sent),
+            eye: None,
         }
     }
 }

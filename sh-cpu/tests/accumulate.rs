@@ -13,6 +13,7 @@ fn sum(front: &[Blocker], across: &[Blocker], object: f64) -> [f64; 25] {
         position: [0.1_f64, 0.2, 0.3],
         normal: [0.0, 1.0, 0.0],
         object,
+        gloss: None,
     };
     <f64 as Outline<25>>::accumulate(&[0.5; 25], &point, Blockers { front, across })
 }

@@ -66,6 +66,7 @@ fn lit(
         light: &sky(4),
         accumulation: options.accumulation,
         baked: None,
+        eye: None,
     };
     shadow_clusters(Path::best(), receivers, &shadow, &mut radiance).unwrap();
     (radiance.iter().map(|c| c[0]).collect(), cuts.pairs())
@@ -185,6 +186,7 @@ fn what_is_baked_and_what_moves_make_the_whole() {
                 light: &light,
                 accumulation,
                 baked,
+                eye: None,
             };
             shadow_clusters(Path::best(), &receivers, &shadow, &mut radiance).unwrap();
             radiance
@@ -209,6 +211,7 @@ fn what_is_baked_and_what_moves_make_the_whole() {
             light: &light,
             accumulation,
             baked: Some(&baked[1..]),
+            eye: None,
         };
         let mut radiance = vec![[0.0; 3]; receivers.len()];
         let error = shadow_clusters(Path::best(), &receivers, &short, &mut radiance).unwrap_err();
@@ -238,6 +241,7 @@ fn clusters_that_leave_receivers_out_are_refused() {
             light: &light,
             accumulation: 4,
             baked: None,
+            eye: None,
         };
         let refused = shadow_clusters(Path::best(), &receivers, &shadow, &mut radiance);
         assert!(refused.is_err(), "{clusters:?}");

@@ -337,6 +337,7 @@ fn share(lamp: AreaLight, spheres: &[Sphere]) -> [f32; 2] {
         light: &light,
         accumulation: 4,
         baked: None,
+        eye: None,
     };
     shadow_clusters(Path::best(), &r, &shadow, &mut cut).unwrap();
     [all[4][0] / open[4][0], cut[4][0] / open[4][0]]

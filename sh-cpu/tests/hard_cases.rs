@@ -35,6 +35,7 @@ fn in_f64(
             position: r.position.map(f64::from),
             normal: r.normal.map(f64::from),
             object: f64::from(r.object),
+            gloss: None,
         };
         let cuts = Cuts::everything(s, 1, l);
         shade::<f64, C>(

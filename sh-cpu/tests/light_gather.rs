@@ -69,6 +69,7 @@ impl Bright {
             clusters,
             cuts: &cuts,
             lights,
+            eye: None,
         };
         let mut radiance = vec![[0.0; 3]; receivers.len()];
         light_gather(path, receivers, &gather, &mut radiance).unwrap();

@@ -56,6 +56,7 @@ fn shaded(
         light,
         accumulation: light.order,
         baked: None,
+        eye: None,
     };
     shadow_clusters(Path::best(), receivers, &shadow, &mut radiance).unwrap();
     radiance

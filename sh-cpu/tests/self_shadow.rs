@@ -83,6 +83,7 @@ fn largest_change(steps: usize, limits: Option<Limits>) -> Result<f32, Box<dyn s
         light: &light,
         accumulation: 4,
         baked: None,
+        eye: None,
     };
     let mut radiance = vec![[0.0; 3]; steps];
     shadow_clusters(Path::best(), &receivers, &shadow, &mut radiance)?;

@@ -56,6 +56,7 @@ fn in_f64(receiver: &Receiver, spheres: &[Sphere], light: &Light, accumulation: 
             position: r.position.map(f64::from),
             normal: r.normal.map(f64::from),
             object: f64::from(r.object),
+            gloss: None,
         };
         let cuts = Cuts::everything(spheres, 1, light);
         shade::<f64, C>(

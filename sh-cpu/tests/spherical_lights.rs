@@ -95,6 +95,7 @@ impl World {
             light: &self.light,
             accumulation: self.light.order,
             baked: None,
+            eye: None,
         };
         let mut direct = vec![[0.0; 3]; receivers.len()];
         shadow_clusters(path, receivers, &shadow, &mut direct).unwrap();
@@ -115,6 +116,7 @@ impl World {
             clusters,
             cuts: &cuts,
             lights: &self.lights,
+            eye: None,
         };
         let mut sent = vec![[0.0; 3]; receivers.len()];
         light_gather(path, receivers, &gather, &mut sent).unwrap();

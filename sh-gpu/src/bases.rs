@@ -44,13 +44,26 @@ struct Update {
     raised: Bound,
 }
 
-/// That of `basis_gather`: with what bodies send themselves, and without.
+/// Those of `basis_gather`.
 #[derive(Debug)]
 struct Gather {
-    whole: Arc<Kernel>,
+    seen: Arc<Kernel>,
     /// With several bounces.
-    others: Option<Arc<Kernel>>,
+    points: Option<Arc<Kernel>>,
+    /// Where anything mirrors light.
+    gloss: Option<Arc<Kernel>>,
     group: BindGroup,
+}
+
+/// Who gathers what patches send.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Gathering {
+    /// What is seen, with what bodies send themselves.
+    Seen,
+    /// Points of patches, which have that in their weights.
+    Points,
+    /// What mirrors light.
+    Gloss,
 }
 
 /// What bodies have together, and the largest of them.
@@ -121,14 +134,14 @@ impl Bases {
         device: &Device,
         inputs: &Inputs,
         bodies: impl Iterator<Item = BasisBody<'a>> + Clone,
-        bounces: u32,
+        (bounces, gloss): (u32, bool),
     ) -> Result<Self, Error> {
         checked(device, || {
             let coefficients = inputs.order * inputs.order;
             let counts = Counts::of(bodies.clone(), coefficients);
             let memory = Memory::new(device, counts, bodies)?;
             let update = Update::new(device, inputs, &memory, (counts, coefficients))?;
-            let gather = Gather::new(device, inputs, &memory, bounces)?;
+            let gather = Gather::new(device, inputs, &memory, (bounces, gloss))?;
             Ok(Self {
                 update,
                 gather,
@@ -276,18 +289,17 @@ impl Bases {
         self.update.weigh.bind_groups(device, &slots, bodies, 1)
     }
 
-    /// Binds receivers and what is added to: tiles of a picture, or clusters. `own`: what their own body gives itself is
-    /// among it.
+    /// Binds receivers and what is added to: tiles of a picture, or clusters.
     pub fn bind(
         &self,
         device: &Device,
         receivers: BufferBinding<'_>,
         clusters: Option<ClusterBinding<'_>>,
         radiance: BufferBinding<'_>,
-        own: bool,
+        kind: Gathering,
     ) -> Result<Bound, Error> {
         let written = Slot::with("radiance", 16, 1, radiance);
-        let kernel = self.gather.of(own);
+        let kernel = self.gather.of(kind);
         match clusters {
             Some(clusters) => bind_clusters(kernel, device, receivers, clusters, written),
             None => bind_tiles(kernel, device, receivers, written),
@@ -326,17 +338,17 @@ impl Bases {
         bound.dispatches() + shone.dispatches() + raised.dispatches()
     }
 
-    /// Records the pass `basis_gather`; `own` as it was bound.
+    /// Records the pass `basis_gather`; `kind` as it was bound.
     pub fn record_gather(
         &self,
         encoder: &mut CommandEncoder,
         bound: &Bound,
-        own: bool,
+        kind: Gathering,
         timestamps: Option<ComputePassTimestampWrites<'_>>,
     ) {
         let group = (&self.gather.group, &[][..]);
         self.gather
-            .of(own)
+            .of(kind)
             .record(encoder, group, bound, timestamps);
     }
 }
@@ -376,15 +388,19 @@ impl Update {
 }
 
 impl Gather {
-    fn new(device: &Device, inputs: &Inputs, memory: &Memory, bounces: u32) -> Result<Self, Error> {
+    fn new(
+        device: &Device,
+        inputs: &Inputs,
+        memory: &Memory,
+        (bounces, gloss): (u32, bool),
+    ) -> Result<Self, Error> {
         let of = (Pass::BasisGather, inputs.order, inputs.order);
-        let kernel = |own: f64| {
-            inputs
-                .pipelines
-                .specialised(of, "gather", &[("OWN_LIGHT", own)])
+        let kernel = |own: bool, gloss: bool| {
+            let flag = |on: bool| f64::from(u8::from(on));
+            let constants = [("OWN_LIGHT", flag(own)), ("GLOSS", flag(gloss))];
+            inputs.pipelines.specialised(of, "gather", &constants)
         };
-        let whole = kernel(1.0)?;
-        let others = (bounces > 1).then(|| kernel(0.0)).transpose()?;
+        let seen = kernel(true, false)?;
         let [lighting, _] = inputs.lit.bindings();
         let own = [
             lighting,
@@ -393,19 +409,23 @@ impl Gather {
             ("patches", memory.patches.as_entire_binding()),
             ("regions", memory.regions.as_entire_binding()),
             ("light", memory.light.as_entire_binding()),
+            inputs.lit.eye(),
         ];
         Ok(Self {
-            group: whole.own(device, &own),
-            whole,
-            others,
+            group: seen.own(device, &own),
+            points: (bounces > 1).then(|| kernel(false, false)).transpose()?,
+            gloss: gloss.then(|| kernel(true, true)).transpose()?,
+            seen,
         })
     }
 
-    fn of(&self, own: bool) -> &Kernel {
-        match (own, &self.others) {
-            (false, Some(others)) => others,
-            _ => &self.whole,
-        }
+    fn of(&self, kind: Gathering) -> &Kernel {
+        let other = match kind {
+            Gathering::Seen => None,
+            Gathering::Points => self.points.as_ref(),
+            Gathering::Gloss => self.gloss.as_ref(),
+        };
+        other.unwrap_or(&self.seen)
     }
 }
 

@@ -10,7 +10,7 @@ use glam::Mat4;
 use sh_kernels::Pass;
 use sh_scene::{Mesh, Object, Scene, Texture};
 use wgpu::util::{DeviceExt, TextureDataOrder};
-use wgpu::{BindGroup, Buffer, BufferUsages, Device, Queue, RenderPass};
+use wgpu::{BindGroup, Buffer, BufferUsages, Device, Queue, RenderPass, TextureFormat};
 
 /// Bytes from one body's record to the next: the alignment that every device grants.
 const STRIDE: u64 = 256;
@@ -22,7 +22,7 @@ struct Drawn {
     indices: Buffer,
     count: u32,
     group: BindGroup,
-    /// Bytes of the texture.
+    /// Bytes of the textures.
     texture: u64,
 }
 
@@ -108,10 +108,15 @@ impl Bodies {
             bytes.clear();
             bytes.resize(self.records.size() as usize, 0);
             for (index, object) in scene.objects.iter().enumerate() {
+                let glossy = scene.settings.gloss && object.material.is_glossy();
                 let record = Body {
                     world_from_object: Mat4::from(object.transform),
                     albedo: object.material.albedo.into(),
                     object: scene.body(index),
+                    glossy: u32::from(glossy),
+                    roughness: object.material.finish.roughness,
+                    metallic: object.material.finish.metallic,
+                    tail: 0,
                 };
                 let at = index * STRIDE as usize;
                 bytes[at..at + size_of::<Body>()].copy_from_slice(bytemuck::bytes_of(&record));
@@ -202,15 +207,18 @@ fn check(device: &Device, object: &Object) -> Result<(), String> {
             limits.max_buffer_size
         ));
     }
-    let Some(Texture {
+    let material = &object.material;
+    let textures = [&material.texture, &material.finish_texture];
+    let mut textures = textures.into_iter().flatten();
+    textures.try_for_each(|texture| check_texture(texture, limits.max_texture_dimension_2d))
+}
+
+fn check_texture(texture: &Texture, side: u32) -> Result<(), String> {
+    let Texture {
         width,
         height,
         rgba,
-    }) = &object.material.texture
-    else {
-        return Ok(());
-    };
-    let side = limits.max_texture_dimension_2d;
+    } = texture;
     if *width == 0 || *height == 0 || *width > side || *height > side {
         return Err(format!(
             "has a texture of {width} by {height} texels; each side must be 1 to {side}"
@@ -253,14 +261,24 @@ fn upload(
         rgba: vec![255; 4],
     };
     let texture = object.material.texture.as_ref().unwrap_or(&white);
-    let view = base_color(device, queue, &label, texture);
+    let view = uploaded(
+        device,
+        queue,
+        &label,
+        (texture, TextureFormat::Rgba8UnormSrgb),
+    );
+    let finish = object.material.finish_texture.as_ref();
+    let finish = finish.filter(|_| !mesh.uvs.is_empty()).unwrap_or(&white);
+    let finish = uploaded(device, queue, &label, (finish, TextureFormat::Rgba8Unorm));
     let record = wgpu::BindingResource::Buffer(wgpu::BufferBinding {
         buffer: records,
         offset: 0,
         size: wgpu::BufferSize::new(size_of::<Body>() as u64),
     });
     let color = wgpu::BindingResource::TextureView(&view);
-    let group = layout.bind(device, &[("body", record), ("base_color", color)]);
+    let told = wgpu::BindingResource::TextureView(&finish);
+    let all = [("body", record), ("base_color", color), ("finish", told)];
+    let group = layout.bind(device, &all);
     Ok(Drawn {
         vertices: buffer(
             bytemuck::cast_slice(&vertices),
@@ -268,12 +286,17 @@ fn upload(
         )?,
         indices: buffer(bytemuck::cast_slice(&mesh.triangles), BufferUsages::INDEX)?,
         count: mesh.triangles.len() as u32 * 3,
-        texture: texture_bytes(view.texture()),
+        texture: texture_bytes(view.texture()) + texture_bytes(finish.texture()),
         group,
     })
 }
 
-fn base_color(device: &Device, queue: &Queue, label: &str, texture: &Texture) -> wgpu::TextureView {
+fn uploaded(
+    device: &Device,
+    queue: &Queue,
+    label: &str,
+    (texture, format): (&Texture, TextureFormat),
+) -> wgpu::TextureView {
     let descriptor = wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d {
@@ -284,7 +307,7 @@ fn base_color(device: &Device, queue: &Queue, label: &str, texture: &Texture) ->
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format: wgpu::TextureFormat::Rgba8UnormSrgb,
+        format,
         usage: wgpu::TextureUsages::TEXTURE_BINDING,
         view_formats: &[],
     };

@@ -165,6 +165,7 @@ fn elements(
                 _ => one,
             }
         }
+        Domain::Gloss => bands.receivers(0),
         Domain::Halves => all(halves?, &|band| halves.map_or(0, |h| h.receivers(band))),
         Domain::Pixels => all(bands, &|band| bands.picture_range(band).1 / PIXEL),
         _ => return None,

@@ -45,12 +45,25 @@ impl IrradiancePass {
         max_emitters: u32,
         distributions: bool,
     ) -> Result<Self, Error> {
+        Self::of(pipelines, order, (max_emitters, distributions), false)
+    }
+
+    /// For receivers that reflect diffusely, or for what they mirror.
+    pub(crate) fn of(
+        pipelines: &Pipelines,
+        order: usize,
+        (max_emitters, distributions): (u32, bool),
+        gloss: bool,
+    ) -> Result<Self, Error> {
         let device = pipelines.device();
         checked(device, || {
             let lit = Lit::new(device, order, max_emitters, distributions)?;
             let of = (Pass::Irradiance, order, order);
-            let kernel = pipelines.specialised(of, "irradiance", &lit.lamps())?;
-            let group = kernel.own(device, &lit.bindings());
+            let [lamps, uneven] = lit.lamps();
+            let constants = [lamps, uneven, ("GLOSS", f64::from(u8::from(gloss)))];
+            let kernel = pipelines.specialised(of, "irradiance", &constants)?;
+            let [record, emitters] = lit.bindings();
+            let group = kernel.own(device, &[record, emitters, lit.eye()]);
             Ok(Self { kernel, lit, group })
         })
     }
@@ -84,6 +97,11 @@ impl IrradiancePass {
     /// Uploads the light for what is submitted next.
     pub fn prepare(&self, queue: &Queue, light: &Light) -> Result<(), Error> {
         self.lit.prepare(queue, light, 0, Limits::LEAVES)
+    }
+
+    /// Uploads from where what is mirrored is seen.
+    pub(crate) fn look_from(&self, queue: &Queue, eye: [f32; 3]) {
+        self.lit.look_from(queue, eye);
     }
 
     /// Records one compute pass that writes the radiance each receiver would reflect with albedo 1, never

@@ -40,6 +40,8 @@ use wgpu::{
 #[derive(Debug)]
 pub struct LightGatherPass {
     kernel: Arc<Kernel>,
+    /// What adds to what receivers mirror, where that is asked for.
+    gloss: Option<Arc<Kernel>>,
     group: BindGroup,
     members: Buffer,
     emission: Buffer,
@@ -54,11 +56,16 @@ impl LightGatherPass {
     /// 16 (n² + 1) + 8 bytes a node at order n. [`Blocking::Sphere`] gives what [`Blocking::Runs`] does, in the same
     /// time.
     pub fn new(device: &Device, shadow: &ShadowPass, blocking: Blocking) -> Result<Self, Error> {
-        Self::of(device, &shadow.inputs, blocking)
+        Self::of(device, &shadow.inputs, blocking, false)
     }
 
-    /// With light and blockers that other passes read as well.
-    pub(crate) fn of(device: &Device, inputs: &Inputs, blocking: Blocking) -> Result<Self, Error> {
+    /// With light and blockers that other passes read as well, for receivers that mirror light, too, if there are any.
+    pub(crate) fn of(
+        device: &Device,
+        inputs: &Inputs,
+        blocking: Blocking,
+        gloss: bool,
+    ) -> Result<Self, Error> {
         checked(device, || {
             let order = inputs.order;
             let max_nodes = inputs.max_blockers.saturating_mul(2);
@@ -75,21 +82,27 @@ impl LightGatherPass {
             };
             let of = (Pass::LightGather, order, order);
             let by_bodies = f64::from(u8::from(blocking == Blocking::Object));
-            let constants: &[_] = match blocking {
-                Blocking::Discs => &[],
-                _ => &[("BY_BODIES", by_bodies)],
+            let made = |gloss: bool| {
+                let gloss = ("GLOSS", f64::from(u8::from(gloss)));
+                let constants: &[_] = match blocking {
+                    Blocking::Discs => &[gloss],
+                    _ => &[("BY_BODIES", by_bodies), gloss],
+                };
+                inputs.pipelines.specialised(of, name, constants)
             };
-            let kernel = inputs.pipelines.specialised(of, name, constants)?;
+            let kernel = made(false)?;
             let [lighting, _] = inputs.lit.bindings();
             let own = [
                 lighting,
                 inputs.tree(),
                 ("members", members.as_entire_binding()),
                 ("emission", emission.as_entire_binding()),
+                inputs.lit.eye(),
             ];
             let group = kernel.own(device, &own);
             Ok(Self {
                 kernel,
+                gloss: gloss.then(|| made(true)).transpose()?,
                 group,
                 members,
                 emission,
@@ -110,6 +123,28 @@ impl LightGatherPass {
         radiance: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
         bind_tiles(&self.kernel, device, receivers, written(radiance))
+    }
+
+    /// As [`bind`](Self::bind), for what receivers mirror.
+    pub(crate) fn bind_gloss(
+        &self,
+        device: &Device,
+        receivers: BufferBinding<'_>,
+        radiance: BufferBinding<'_>,
+    ) -> Result<Bound, Error> {
+        let kernel = self.gloss.as_ref().unwrap_or(&self.kernel);
+        bind_tiles(kernel, device, receivers, written(radiance))
+    }
+
+    /// Records one compute pass that adds what receivers of a cluster mirror of the light that spheres send.
+    pub(crate) fn record_gloss(
+        &self,
+        encoder: &mut CommandEncoder,
+        bound: &Bound,
+        timestamps: Option<ComputePassTimestampWrites<'_>>,
+    ) {
+        let kernel = self.gloss.as_ref().unwrap_or(&self.kernel);
+        kernel.record(encoder, (&self.group, &[]), bound, timestamps);
     }
 
     /// As [`bind`](Self::bind), with clusters of the host's.

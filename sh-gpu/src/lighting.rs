@@ -15,8 +15,11 @@ pub(crate) struct Lit {
     distributions: bool,
     record: Buffer,
     emitters: Buffer,
+    /// From where what is mirrored is seen. It is no part of the light: bodies look the same from wherever.
+    eye: Buffer,
     /// What both hold.
     known: [Known; 2],
+    known_eye: Known,
 }
 
 impl Lit {
@@ -39,7 +42,9 @@ impl Lit {
             distributions,
             record: buffer(device, "gaunt lighting", record, BufferUsages::UNIFORM),
             emitters: buffer(device, "gaunt emitters", emitters, BufferUsages::STORAGE),
+            eye: buffer(device, "gaunt eye", 16, BufferUsages::UNIFORM),
             known: Default::default(),
+            known_eye: Known::default(),
         })
     }
 
@@ -61,6 +66,16 @@ impl Lit {
         ]
     }
 
+    /// The eye, as kernels name it.
+    pub fn eye(&self) -> (&'static str, BindingResource<'_>) {
+        ("eye", self.eye.as_entire_binding())
+    }
+
+    /// Uploads from where the picture is seen.
+    pub fn look_from(&self, queue: &Queue, [x, y, z]: [f32; 3]) {
+        self.known_eye.write(queue, &self.eye, &[[x, y, z, 0.0]]);
+    }
+
     /// Bytes that have been uploaded since it was made.
     pub fn uploaded(&self) -> u64 {
         self.known.iter().map(Known::written).sum()
@@ -68,7 +83,7 @@ impl Lit {
 
     /// Bytes of GPU memory.
     pub fn bytes(&self) -> u64 {
-        self.record.size() + self.emitters.size()
+        self.record.size() + self.emitters.size() + self.eye.size()
     }
 
     /// Uploads the record and the emitters, for so many nodes that are there already.

@@ -162,6 +162,14 @@ pub struct Body {
     pub albedo: Vec3,
     /// Which it is, as receivers carry it: 1 more than its index.
     pub object: u32,
+    /// 1 where it mirrors light.
+    pub glossy: u32,
+    /// [`sh_scene::Finish::roughness`].
+    pub roughness: f32,
+    /// [`sh_scene::Finish::metallic`].
+    pub metallic: f32,
+    /// Fills up to a multiple of 16 bytes.
+    pub tail: u32,
 }
 
 /// `struct VertexSource`: where a host's vertices lie, in words of 4 bytes, and where they stand.

@@ -54,6 +54,16 @@ impl ResolvePass {
         bands: &Bands,
         environment: &EnvironmentMap,
     ) -> Result<Self, Error> {
+        Self::of(pipelines, queue, bands, (environment, false))
+    }
+
+    /// With or without what samples mirror.
+    pub(crate) fn of(
+        pipelines: &Pipelines,
+        queue: &Queue,
+        bands: &Bands,
+        (environment, gloss): (&EnvironmentMap, bool),
+    ) -> Result<Self, Error> {
         let device = pipelines.device();
         let EnvironmentMap { width, height, .. } = environment;
         let side = u64::from(device.limits().max_texture_dimension_2d);
@@ -67,7 +77,8 @@ impl ResolvePass {
         check(environment)?;
         checked(device, || {
             let of = (Pass::Resolve, MIN_ORDER, MIN_ORDER);
-            let kernel = pipelines.kernel(of, "resolve")?;
+            let constants = [("GLOSS", f64::from(u8::from(gloss)))];
+            let kernel = pipelines.specialised(of, "resolve", &constants)?;
             let descriptor = wgpu::TextureDescriptor {
                 label: Some("gaunt environment"),
                 size: wgpu::Extent3d {
@@ -124,7 +135,7 @@ impl ResolvePass {
         Ok(())
     }
 
-    /// Binds receivers ([`Receiver`], 32 bytes each), albedo and radiance (`vec4f`, 16 bytes each) of one
+    /// Binds receivers ([`Receiver`], 32 bytes each), albedo (of which nobody reads the last number) and radiance (`vec4f`, 16 bytes each) of one
     /// band's samples, tile by tile ([`sh_scene::Tiles`]), all read, and the band's part of the picture
     /// ([`Bands::picture_range`]), written: linear red, green, blue, and the share of the pixel's samples
     /// that hit something, as `vec4f`.
@@ -136,11 +147,25 @@ impl ResolvePass {
         radiance: BufferBinding<'_>,
         picture: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
+        self.bind_with(device, [receivers, albedo, radiance], None, picture)
+    }
+
+    /// With what samples mirror, if they do.
+    pub(crate) fn bind_with(
+        &self,
+        device: &Device,
+        [receivers, albedo, radiance]: [BufferBinding<'_>; 3],
+        mirrored: Option<BufferBinding<'_>>,
+        picture: BufferBinding<'_>,
+    ) -> Result<Bound, Error> {
+        // Without it nobody reads what is bound in its place.
+        let mirrored = mirrored.unwrap_or(radiance.clone());
         let each = u64::from(View::OVERSAMPLE * View::OVERSAMPLE);
         let slots = [
             Slot::with("receivers", size_of::<Receiver>() as u64, each, receivers),
             Slot::with("albedo", 16, each, albedo),
             Slot::with("radiance", 16, each, radiance),
+            Slot::with("mirrored", 16, each, mirrored),
             Slot::counting("picture", 16, picture),
         ];
         self.kernel.bind(device, &slots)

@@ -107,6 +107,8 @@ impl Output {
 #[derive(Debug)]
 pub struct ShadowPass {
     kernel: Arc<Kernel>,
+    /// What writes what receivers mirror, where that is asked for.
+    gloss: Option<Arc<Kernel>>,
     pub(crate) inputs: Arc<Inputs>,
     group: BindGroup,
     options: ShadowOptions,
@@ -120,22 +122,36 @@ impl ShadowPass {
 
     /// As [`new`](Self::new), with a pipeline that is shared.
     pub fn with(pipelines: &Pipelines, options: ShadowOptions) -> Result<Self, Error> {
-        Self::of(&Arc::new(Inputs::new(pipelines, options)?), options)
+        Self::of(&Arc::new(Inputs::new(pipelines, options)?), options, false)
     }
 
-    /// With light and blockers that other passes read as well.
-    pub(crate) fn of(inputs: &Arc<Inputs>, options: ShadowOptions) -> Result<Self, Error> {
+    /// With light and blockers that other passes read as well, for receivers that mirror light, too, if there are any.
+    pub(crate) fn of(
+        inputs: &Arc<Inputs>,
+        options: ShadowOptions,
+        gloss: bool,
+    ) -> Result<Self, Error> {
         let device = inputs.pipelines.device();
         let (pass, lit) = (options.output.kernels(), &inputs.lit);
         checked(device, || {
             let of = (pass, options.order, options.accumulation);
-            let kernel = inputs
-                .pipelines
-                .specialised(of, pass.name(), &lit.lamps())?;
+            let [lamps, distributions] = lit.lamps();
+            let made = |gloss: bool| {
+                let gloss = ("GLOSS", f64::from(u8::from(gloss)));
+                let constants = [lamps, distributions, gloss];
+                inputs.pipelines.specialised(of, pass.name(), &constants)
+            };
+            let kernel = made(false)?;
             let [record, emitters] = lit.bindings();
-            let group = kernel.own(device, &[record, emitters, inputs.tree()]);
+            let own = [record, emitters, inputs.tree(), lit.eye()];
+            let known = match options.output {
+                Output::Radiance => &own[..],
+                Output::Light => &own[..3],
+            };
+            let group = kernel.own(device, known);
             Ok(Self {
                 kernel,
+                gloss: gloss.then(|| made(true)).transpose()?,
                 inputs: Arc::clone(inputs),
                 group,
                 options,
@@ -162,6 +178,28 @@ impl ShadowPass {
         radiance: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
         bind_tiles(&self.kernel, device, receivers, self.written(radiance))
+    }
+
+    /// As [`bind`](Self::bind), for what receivers mirror.
+    pub(crate) fn bind_gloss(
+        &self,
+        device: &Device,
+        receivers: BufferBinding<'_>,
+        radiance: BufferBinding<'_>,
+    ) -> Result<Bound, Error> {
+        let kernel = self.gloss.as_ref().unwrap_or(&self.kernel);
+        bind_tiles(kernel, device, receivers, self.written(radiance))
+    }
+
+    /// Records one compute pass that writes the mean of what receivers of a cluster see in the lobe in which they mirror light.
+    pub(crate) fn record_gloss(
+        &self,
+        encoder: &mut CommandEncoder,
+        bound: &Bound,
+        timestamps: Option<ComputePassTimestampWrites<'_>>,
+    ) {
+        let kernel = self.gloss.as_ref().unwrap_or(&self.kernel);
+        kernel.record(encoder, (&self.group, &[]), bound, timestamps);
     }
 
     /// As [`bind`](Self::bind), with clusters of the host's.

@@ -1,6 +1,6 @@
 //! The passes of a plan on the GPU: how each is made, bound to the buffers of a frame, and recorded.
 
-use crate::bases::Bases;
+use crate::bases::{Bases, Gathering};
 use crate::buffers::Buffers;
 use crate::plain::Plain;
 use crate::surfaces::Surfaces;
@@ -12,6 +12,7 @@ use sh_scene::passes::{
     BASIS_GATHER, BASIS_UPDATE, GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, POINTS, RESOLVE,
     SCATTER, SHADOW, SHARES, UPSAMPLE,
 };
+use sh_scene::plan::Slot;
 use sh_scene::resource::{ALBEDO, EMISSION, PICTURE, RADIANCE, RECEIVERS, SENT, SHARE, UPSAMPLED};
 use sh_scene::{Domain, Pass, Plan, Planned, Resource, Scene};
 use std::sync::Arc;
@@ -72,8 +73,6 @@ pub(crate) enum Work {
     BasisGather {
         bases: Arc<Bases>,
         bound: Vec<Bound>,
-        /// Whether what bodies give themselves is among it.
-        own: bool,
         /// What has to be cleared before the first band, or in every turn.
         cleared: Option<Buffer>,
     },
@@ -156,19 +155,24 @@ impl Stage {
             Work::BasisGather {
                 bases,
                 bound,
-                own,
                 cleared,
             } => {
                 if let (0, Some(cleared)) = (band, cleared) {
                     encoder.clear_buffer(cleared, 0, None);
                 }
-                bases.record_gather(encoder, &bound[at], *own, writes);
+                bases.record_gather(encoder, &bound[at], gathering(self.at), writes);
             }
             Work::Gbuffer { pass, bound } => {
                 pass.record(encoder, bands, band, bodies, &bound[at], stamps);
             }
             Work::Irradiance { pass, bound } => pass.record(encoder, &bound[at], writes),
+            Work::Shadow { pass, bound } if self.at == Domain::Gloss => {
+                pass.record_gloss(encoder, &bound[at], writes);
+            }
             Work::Shadow { pass, bound } => pass.record(encoder, &bound[at], writes),
+            Work::LightGather { pass, bound, .. } if self.at == Domain::Gloss => {
+                pass.record_gloss(encoder, &bound[at], writes);
+            }
             Work::LightGather {
                 pass,
                 bound,
@@ -337,7 +341,8 @@ impl Setup<'_> {
         bind: impl Fn(&Device, [BufferBinding<'_>; 2]) -> Result<Bound, Error>,
     ) -> Result<Vec<Bound>, Error> {
         let bound = (0..self.bands_of(at)?.count()).map(|band| {
-            let receivers = self.part(RECEIVERS, at, band)?;
+            let receivers = Slot::receivers(at).bound(at).1;
+            let receivers = self.part(RECEIVERS, receivers, band)?;
             bind(self.device, [receivers, self.part(written, at, band)?])
         });
         bound.collect()
@@ -475,14 +480,13 @@ fn basis_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
     // What spheres have sent comes first.
     let sent = setup.buffers.get(SENT, at).cloned();
     let cleared = sent.filter(|_| setup.gather.is_none());
-    // What bodies give themselves is in their weights already.
-    let own = at != Domain::Patches;
+    let kind = gathering(at);
     let clustered = |device: &Device, rest: RestBinding<'_>| {
         let clusters = Some(rest.clusters);
-        bases.bind(device, rest.receivers, clusters, rest.radiance, own)
+        bases.bind(device, rest.receivers, clusters, rest.radiance, kind)
     };
     let tiled = |device: &Device, [receivers, written]: [BufferBinding<'_>; 2]| {
-        bases.bind(device, receivers, None, written, own)
+        bases.bind(device, receivers, None, written, kind)
     };
     let bound = match at {
         Domain::Points | Domain::Patches => setup.points(at, SENT, clustered)?,
@@ -493,9 +497,17 @@ fn basis_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
     Ok(Work::BasisGather {
         bases,
         bound,
-        own,
         cleared,
     })
+}
+
+/// Who gathers what patches send in a domain.
+fn gathering(at: Domain) -> Gathering {
+    match at {
+        Domain::Patches => Gathering::Points,
+        Domain::Gloss => Gathering::Gloss,
+        _ => Gathering::Seen,
+    }
 }
 
 fn gbuffer(setup: &Setup, at: Domain) -> Result<Work, Error> {
@@ -519,7 +531,8 @@ fn gbuffer(setup: &Setup, at: Domain) -> Result<Work, Error> {
 fn irradiance(setup: &Setup, at: Domain) -> Result<Work, Error> {
     let order = setup.scene.settings.order;
     let (count, uneven) = (emitters(setup.scene), distributions(setup.scene));
-    let pass = IrradiancePass::with(setup.pipelines, order, count, uneven)?;
+    let gloss = at == Domain::Gloss;
+    let pass = IrradiancePass::of(setup.pipelines, order, (count, uneven), gloss)?;
     let bound = setup.each(at, RADIANCE, |device, [receivers, radiance]| {
         pass.bind(device, receivers, radiance)
     })?;
@@ -534,6 +547,9 @@ fn shadow(setup: &Setup, at: Domain) -> Result<Work, Error> {
     let bound = match at {
         Domain::Points | Domain::Patches => setup.points(at, RADIANCE, clustered)?,
         Domain::Rest => setup.rest(clustered)?,
+        Domain::Gloss => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
+            pass.bind_gloss(device, receivers, radiance)
+        })?,
         _ => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
             pass.bind(device, receivers, radiance)
         })?,
@@ -559,6 +575,9 @@ fn light_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
             })?
         }
         Domain::Rest => setup.rest(clustered)?,
+        Domain::Gloss => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
+            pass.bind_gloss(device, receivers, radiance)
+        })?,
         _ => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
             pass.bind(device, receivers, radiance)
         })?,
@@ -586,12 +605,17 @@ fn shares(setup: &Setup, at: Domain) -> Result<Work, Error> {
 fn resolve(setup: &Setup, _: Domain) -> Result<Work, Error> {
     let bands = setup.bands;
     let environment = &setup.scene.environment;
-    let pass = ResolvePass::with(setup.pipelines, setup.queue, bands, environment)?;
+    let gloss = setup.buffers.get(RADIANCE, Domain::Gloss).is_some();
+    let pass = ResolvePass::of(setup.pipelines, setup.queue, bands, (environment, gloss))?;
     let bound = (0..bands.count()).map(|band| {
         let sample = |what| setup.part(what, Domain::Samples, band);
         let lit = (sample(RECEIVERS)?, sample(ALBEDO)?, sample(RADIANCE)?);
         let picture = setup.part(PICTURE, Domain::Pixels, band)?;
-        pass.bind(setup.device, lit.0, lit.1, lit.2, picture)
+        let mirrored = match gloss {
+            true => Some(setup.part(RADIANCE, Domain::Gloss, band)?),
+            false => None,
+        };
+        pass.bind_with(setup.device, [lit.0, lit.1, lit.2], mirrored, picture)
     });
     let bound = bound.collect::<Result<_, Error>>()?;
     Ok(Work::Resolve { pass, bound })

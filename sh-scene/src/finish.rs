@@ -1,6 +1,7 @@
 //! How polished a surface is.
 
 use crate::Receiver;
+use sh_core::constants::{MATT, ROUGHNESS_SHIFT, ROUGHNESS_STEPS};
 
 /// How a place of a surface reflects besides its base colour, as glTF's metallic-roughness materials have it: in a lobe
 /// about the mirrored direction (GGX of α = roughness²) besides diffusely.
@@ -18,15 +19,6 @@ pub struct Finish {
     /// metal, which mirrors light in its base colour and reflects none diffusely.
     pub metallic: f32,
 }
-
-/// Steps of roughness between 0 and 1 that pictures tell apart; a sample's byte holds two more values.
-const STEPS: f32 = 253.0;
-
-/// The byte of a sample that reflects diffusely alone.
-const MATT: u32 = 255;
-
-/// Where a receiver keeps the byte of its roughness.
-const SHIFT: u32 = 8;
 
 impl Finish {
     /// All light is reflected evenly: nothing is mirrored.
@@ -52,7 +44,7 @@ impl Finish {
         if !self.is_glossy() {
             return MATT;
         }
-        let roughness = 1.0 + (self.roughness.clamp(0.0, 1.0) * STEPS).round();
+        let roughness = 1.0 + (self.roughness.clamp(0.0, 1.0) * ROUGHNESS_STEPS).round();
         let metallic = (self.metallic.clamp(0.0, 1.0) * 255.0).round();
         // A cast takes what is not a number to 0.
         (roughness as u32).max(1) | (metallic as u32) << 8
@@ -69,7 +61,7 @@ impl Finish {
     pub fn covered(packed: u32) -> u32 {
         match packed & MATT {
             MATT => 1,
-            roughness => 1 | roughness << SHIFT,
+            roughness => 1 | roughness << ROUGHNESS_SHIFT,
         }
     }
 
@@ -96,8 +88,8 @@ impl Receiver {
     /// assert_eq!(Receiver { covered: 1, ..receiver }.roughness(), None);
     /// ```
     pub fn roughness(&self) -> Option<f32> {
-        let byte = self.covered >> SHIFT & 255;
-        (byte > 0).then(|| (byte - 1) as f32 / STEPS)
+        let byte = self.covered >> ROUGHNESS_SHIFT & MATT;
+        (byte > 0).then(|| (byte - 1) as f32 / ROUGHNESS_STEPS)
     }
 }
 
@@ -128,7 +120,7 @@ mod tests {
             }
             let kept = receiver.roughness().unwrap();
             assert!(
-                (kept - roughness).abs() <= 0.501 / STEPS,
+                (kept - roughness).abs() <= 0.501 / ROUGHNESS_STEPS,
                 "{kept} of {roughness}"
             );
             let kept = Finish::metallic(packed);

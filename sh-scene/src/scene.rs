@@ -297,6 +297,12 @@ impl Scene {
         part_of.unwrap_or(object) as u32 + 1
     }
 
+    /// Whether a picture of it mirrors light in any surface.
+    pub fn mirrors(&self) -> bool {
+        let polished = |o: &Object| o.material.is_glossy() && !o.mesh.triangles.is_empty();
+        self.settings.gloss && self.objects.iter().any(polished)
+    }
+
     /// The weights of all blocker spheres, object by object.
     pub fn weights(&self) -> Vec<f32> {
         let of = |o: &'_ Object| {

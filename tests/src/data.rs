@@ -9,8 +9,9 @@ pub struct Data(&'static str);
 pub const BALL: Data = Data(include_str!("../../codegen/data/ball.txt"));
 /// Logarithms of caps.
 pub const CAP_LOG: Data = Data(include_str!("../../codegen/data/cap_log.txt"));
-/// The sphere that a horizon cuts.
+/// The lobe of a polished surface.
 pub const GLOSS: Data = Data(include_str!("../../codegen/data/gloss.txt"));
+/// The sphere that a horizon cuts.
 pub const HORIZON: Data = Data(include_str!("../../codegen/data/horizon.txt"));
 /// The common part of two discs.
 pub const LENS: Data = Data(include_str!("../../codegen/data/lens.txt"));

@@ -96,6 +96,12 @@ fn seconds(planned: &Planned, units: &Units, scene: &Scene, view: &View, rate: f
         Domain::Halves => cells(view.halves()),
         Domain::Receivers | Domain::Samples | Domain::Pixels => cells(view.samples()),
         Domain::Rest => ANEW * cells(view.samples()),
+        // As if objects were all as large.
+        Domain::Gloss => {
+            let glossy = scene.objects.iter().filter(|o| o.material.is_glossy());
+            let share = glossy.count() as f64 / scene.objects.len().max(1) as f64;
+            share * cells(view.samples())
+        }
     };
     let cost = (planned.pass.cost)(units);
     let turns = planned.turns.len() as f64;

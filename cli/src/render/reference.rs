@@ -4,7 +4,7 @@ use crate::Error;
 use crate::report::{Planned, Times};
 use crate::truth::{self, Source, narrow};
 use rayon::prelude::*;
-use sh_cpu::{Gbuffer, Geometry, gbuffer, resolve};
+use sh_cpu::{Gbuffer, Geometry, SampleLight, gbuffer, resolve};
 use sh_reference::paths;
 use sh_scene::{Scene, Tiles, View};
 
@@ -98,14 +98,28 @@ pub(super) fn picture(
         })?;
         let first = (row * tiles.columns) as usize * Tiles::AREA;
         let paths = reference.paths_a_sample();
-        let tell = |part: f32| progress((row as f32 + part) / tiles.rows as f32);
+        let share = if scene.mirrors() { 0.5 } else { 1.0 };
+        let tell = |part: f32| progress((row as f32 + share * part) / tiles.rows as f32);
         let found = times.measure("paths", || {
             truth::trace(&tracer, &samples.receivers, first, paths, &tell)
         });
         let radiance: Vec<[f32; 3]> = found.par_iter().map(|r| narrow(r.total())).collect();
+        let mirrored = scene.mirrors().then(|| {
+            let seen = (&samples.receivers[..], view.camera.eye.into());
+            let tell = |part: f32| tell(1.0 + part);
+            let found = times.measure("paths", || {
+                truth::trace_mirrored(&tracer, seen, first, paths, &tell)
+            });
+            let narrowed = found.par_iter().map(|r| narrow(r.total()));
+            narrowed.collect::<Vec<_>>()
+        });
         times.measure("resolve", || {
             let environment = &scene.environment;
-            resolve(view, row..row + 1, &samples, &radiance, environment, pixels)
+            let lit = SampleLight {
+                radiance: &radiance,
+                mirrored: mirrored.as_deref(),
+            };
+            resolve(view, row..row + 1, &samples, lit, environment, pixels)
         })?;
     }
     Ok(pixels)

@@ -157,6 +157,7 @@ fn row(
             light: &light,
             accumulation: accumulation_order,
             baked: None,
+            eye: None,
         };
         shadow_clusters(path, receivers, &shadow, &mut radiance)?;
         seconds = seconds.min(start.elapsed().as_secs_f64());

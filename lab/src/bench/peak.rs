@@ -89,6 +89,7 @@ pub fn inner(path: Path) -> Result<Inner, Error> {
                     light: &light,
                     accumulation: ORDER,
                     baked: None,
+                    eye: None,
                 };
                 let start = Instant::now();
                 shadow_clusters(path, &receivers, &shadow, &mut radiance)?;

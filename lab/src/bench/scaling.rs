@@ -185,6 +185,7 @@ impl Way {
             light,
             accumulation: ORDER,
             baked: None,
+            eye: None,
         };
         shadow_clusters(path, receivers, &shadow, &mut self.radiance)?;
         let shaded = start.elapsed().as_secs_f64() - found;

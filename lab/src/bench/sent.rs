@@ -110,6 +110,7 @@ impl Sent {
             clusters,
             cuts: &self.cuts,
             lights: &self.lights,
+            eye: None,
         };
         light_gather(path, receivers, &gather, &mut self.radiance)?;
         Ok(())

@@ -293,6 +293,7 @@ impl World {
             light: &self.light,
             accumulation: ORDER,
             baked: None,
+            eye: None,
         };
         shadow_clusters(path, &self.receivers, &shadow, &mut self.radiance)?;
         Ok(())

@@ -5,6 +5,7 @@
 //! | `ball.txt` | polynomials of what is seen of a ball | its integral |
 //! | `cap_log.txt` | polynomials of the logarithm of a circle's visibility | each exponential, against true visibilities; the eigen logarithm |
 //! | `cap_log_table.txt` | the eigen logarithm at whole degrees | nothing: computed |
+//! | `gloss.txt` | polynomials of the lobe of a polished surface | its integrals |
 //! | `horizon.txt` | polynomials of the circle that stands for a sphere under a horizon | its form factor |
 //! | `lens.txt` | polynomials of the common part of two discs | its inverse cosines |
 //! | `optimal_linear.txt` | factors of the optimal linear exponential | circles |
@@ -15,6 +16,7 @@
 
 mod ball;
 mod circles;
+mod gloss;
 mod horizon;
 mod lens;
 mod linear;
@@ -46,10 +48,11 @@ struct Texts {
 }
 
 /// The files.
-const NAMES: [&str; 8] = [
+const NAMES: [&str; 9] = [
     "ball.txt",
     "cap_log.txt",
     "cap_log_table.txt",
+    "gloss.txt",
     "horizon.txt",
     "lens.txt",
     "optimal_linear.txt",
@@ -67,6 +70,7 @@ pub fn all(only: Option<&str>, progress: &(dyn Fn(f32) + Sync)) -> Vec<DataFile>
         }
     };
     put("ball.txt", &mut ball::text);
+    put("gloss.txt", &mut gloss::text);
     put("horizon.txt", &mut horizon::text);
     put("lens.txt", &mut lens::text);
     put("shading.txt", &mut || shading(&|part| progress(0.3 * part)));

@@ -38,7 +38,8 @@ mod sky;
 mod surfaces;
 mod texture;
 
-use crate::vec3::{Vec3, add, dot, scale};
+use crate::gloss::Gloss;
+use crate::vec3::{Vec3, add, scale};
 use lamps::{Lamp, cosine, cosine_density};
 use mean::Mean;
 pub use mean::Radiance;
@@ -79,10 +80,30 @@ pub struct PathTracer<'a> {
     lamps: Vec<Lamp>,
 }
 
-/// A point where a path is, and the surface's normal there.
+/// A point where a path is, and how the surface reflects there.
 struct Place {
     start: Vec3,
     normal: Vec3,
+    /// Its lobe, where it mirrors light and does not reflect it diffusely.
+    gloss: Option<Gloss>,
+}
+
+impl Place {
+    /// A direction for a path to leave in, and what light from there counts; none where it counts nothing.
+    fn leave(&self, pair: [f64; 2]) -> Option<(Vec3, f64)> {
+        match &self.gloss {
+            None => Some((cosine(self.normal, pair), 1.0)),
+            Some(gloss) => gloss.sample(pair),
+        }
+    }
+
+    /// How much light from a direction counts, per steradian, and how often paths leave that way.
+    fn counts(&self, direction: Vec3) -> [f64; 2] {
+        match &self.gloss {
+            None => [cosine_density(self.normal, direction); 2],
+            Some(gloss) => [gloss.value(direction), gloss.density(direction)],
+        }
+    }
 }
 
 impl<'a> PathTracer<'a> {
@@ -121,12 +142,52 @@ impl<'a> PathTracer<'a> {
     /// # Panics
     /// If there are no paths.
     pub fn radiance(&self, point: [f64; 3], normal: [f64; 3], paths: u32, seed: u32) -> Radiance {
+        self.mean([point, normal], None, paths, seed)
+    }
+
+    /// The mean of what a receiver sees in the lobe in which it mirrors light towards a viewer in a unit direction, by its
+    /// roughness: as [`radiance`](Self::radiance), with [`Gloss`] in the place of the cosine. What it meets reflects diffusely.
+    ///
+    /// ```
+    /// # use sh_reference::paths::{Options, PathTracer};
+    /// # use sh_scene::{Camera, EnvironmentMap, Scene, Settings};
+    /// # let camera = Camera { eye: glam::Vec3::Z, target: glam::Vec3::ZERO, fov: 1.0 };
+    /// # let (objects, lights, ground, settings) = (vec![], vec![], None, Settings::default());
+    /// let environment = EnvironmentMap::constant([2.0; 3]);
+    /// let scene = Scene { objects, environment, lights, ground, camera, settings };
+    /// let tracer = PathTracer::new(&scene, Options::default())?;
+    /// let seen = tracer.mirrored([[0.0; 3], [0.0, 1.0, 0.0]], ([0.6, 0.8, 0.0], 0.3), 64, 1);
+    /// assert!((seen.direct[0] - 2.0).abs() < 0.05);
+    /// # Ok::<(), sh_scene::LightError>(())
+    /// ```
+    ///
+    /// # Panics
+    /// If there are no paths.
+    pub fn mirrored(
+        &self,
+        [point, normal]: [[f64; 3]; 2],
+        (view, roughness): ([f64; 3], f64),
+        paths: u32,
+        seed: u32,
+    ) -> Radiance {
+        let gloss = Gloss::new(roughness, normal, view);
+        self.mean([point, normal], Some(gloss), paths, seed)
+    }
+
+    fn mean(
+        &self,
+        [point, normal]: [Vec3; 2],
+        gloss: Option<Gloss>,
+        paths: u32,
+        seed: u32,
+    ) -> Radiance {
         let seed = mix(seed);
         let mut mean = Mean::new(paths);
         for index in 0..paths {
             let place = Place {
                 start: self.surfaces.start(point, normal),
                 normal,
+                gloss,
             };
             mean.add(self.path(place, Points::new(index, seed)));
         }
@@ -141,11 +202,17 @@ impl<'a> PathTracer<'a> {
         loop {
             let sum = &mut found[usize::from(bounces > 0)];
             let asked = self.ask(&place, &mut points);
-            let direction = cosine(place.normal, points.pair());
+            for c in 0..3 {
+                sum[c] += share[c] * asked[c];
+            }
+            let Some((direction, counts)) = place.leave(points.pair()) else {
+                return found;
+            };
+            share = share.map(|share| share * counts);
             let met = self.surfaces.meet(place.start, direction);
             let seen = self.look(&place, direction, &met);
             for c in 0..3 {
-                sum[c] += share[c] * (asked[c] + seen[c]);
+                sum[c] += share[c] * seen[c];
             }
             let meeting = match met {
                 Met::Ground(ground) if self.options.ground_reflects => ground,
@@ -162,6 +229,7 @@ impl<'a> PathTracer<'a> {
             place = Place {
                 start: meeting.start,
                 normal: meeting.normal,
+                gloss: None,
             };
         }
     }
@@ -177,24 +245,24 @@ impl<'a> PathTracer<'a> {
         if let Sky::Map(_) = &self.sky {
             let pair = points.pair();
             if let Some(sample) = self.sky.sample(pair).filter(|s| s.density > 0.0) {
-                let density = cosine_density(place.normal, sample.direction);
-                if density > 0.0
+                let [counts, density] = place.counts(sample.direction);
+                if counts > 0.0
                     && !self
                         .surfaces
                         .blocked(place.start, sample.direction, f64::INFINITY)
                 {
-                    add(sample.radiance, density / (density + sample.density));
+                    add(sample.radiance, counts / (density + sample.density));
                 }
             }
             for lamp in &self.lamps {
                 let sample = lamp.sample(place.start, points.pair());
-                let cosine = dot(place.normal, sample.direction);
-                if cosine > 0.0
+                let [counts, _] = place.counts(sample.direction);
+                if counts > 0.0
                     && !self
                         .surfaces
                         .blocked(place.start, sample.direction, sample.distance)
                 {
-                    add(sample.radiance, cosine / (PI * sample.density));
+                    add(sample.radiance, counts / sample.density);
                 }
             }
         }
@@ -218,7 +286,7 @@ impl<'a> PathTracer<'a> {
 
     /// The map's radiance, by the share that the cosine has in finding it.
     fn weighed(&self, place: &Place, direction: Vec3) -> [f64; 3] {
-        let density = cosine_density(place.normal, direction);
+        let [_, density] = place.counts(direction);
         let other = self.sky.density(direction);
         if density + other <= 0.0 {
             return [0.0; 3];

@@ -1,6 +1,7 @@
 //! The path tracer against what can be written down: every test says how near it has to come, and why.
 
 mod cavities;
+mod gloss;
 mod ground;
 mod noise;
 mod open;

@@ -12,7 +12,7 @@ use gltf::accessor::{DataType, Dimensions};
 use gltf::buffer::{self, Data};
 use gltf::mesh::{Mode, Primitive, Semantic};
 use nodes::{Placed, Tree};
-use sh_scene::Material;
+use sh_scene::{Finish, Material};
 use std::path::Path;
 
 /// Required extensions that change nothing of what is read here.
@@ -88,6 +88,14 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<Loaded, Error> {
             }
             part.material =
                 material(&primitive, folder, &buffers, &mut part.uvs).map_err(explain)?;
+            if let Some(sets) = apart(&primitive) {
+                part.material.finish_texture = None;
+                let display = shown(path);
+                warnings.push(format!(
+                    "{display}: {name}: its base colour has texture coordinates {}, its metallic-roughness texture {}; one set is read, and that texture was left out.",
+                    sets[0], sets[1]
+                ));
+            }
             for wrong in clamp(&primitive, &mut part) {
                 let display = shown(path);
                 warnings.push(format!(
@@ -213,11 +221,12 @@ fn surface(
     if part.normals.len() != part.positions.len() {
         part.normals.clear();
     }
-    if let Some(set) = primitive
-        .material()
-        .pbr_metallic_roughness()
-        .base_color_texture()
-    {
+    let surface = primitive.material().pbr_metallic_roughness();
+    let textures = [
+        surface.base_color_texture(),
+        surface.metallic_roughness_texture(),
+    ];
+    if let Some(set) = textures.into_iter().flatten().next() {
         let uvs = reader.read_tex_coords(set.tex_coord());
         part.uvs = uvs.map(|uvs| uvs.into_f32().collect()).unwrap_or_default();
     }
@@ -274,7 +283,7 @@ fn strip(corners: &[u32]) -> Vec<[u32; 3]> {
     corners.windows(3).enumerate().map(turned).collect()
 }
 
-/// Base colour and texture. A texture without coordinates is left out, coordinates without a texture too.
+/// Base colour, finish and their textures. A texture without coordinates is left out, coordinates without a texture too.
 fn material(
     primitive: &Primitive,
     folder: &Path,
@@ -288,7 +297,19 @@ fn material(
         Some(info) if !uvs.is_empty() => Some(texture::load(&info.texture(), folder, buffers)?),
         _ => None,
     };
-    if texture.is_none() {
+    let finish_texture = match surface.metallic_roughness_texture() {
+        Some(info) if !uvs.is_empty() => Some(texture::load(&info.texture(), folder, buffers)?),
+        _ => None,
+    };
+    // Without any material nothing is said of how polished it is, and the defaults of one that is there are a metal's.
+    let finish = match primitive.material().index() {
+        None => Finish::DIFFUSE,
+        Some(_) => Finish {
+            roughness: surface.roughness_factor(),
+            metallic: surface.metallic_factor(),
+        },
+    };
+    if texture.is_none() && finish_texture.is_none() {
         uvs.clear();
     } else if let Some(uv) = uvs.iter().find(|uv| !uv.iter().all(|c| c.is_finite())) {
         return Err(format!(
@@ -296,9 +317,19 @@ fn material(
         ));
     }
     Ok(Material {
+        albedo,
         texture,
-        ..Material::diffuse(albedo)
+        finish,
+        finish_texture,
     })
+}
+
+/// The sets of texture coordinates of base colour and finish, if they are two.
+fn apart(primitive: &Primitive) -> Option<[u32; 2]> {
+    let surface = primitive.material().pbr_metallic_roughness();
+    let color = surface.base_color_texture()?.tex_coord();
+    let finish = surface.metallic_roughness_texture()?.tex_coord();
+    (color != finish).then_some([color, finish])
 }
 
 /// Takes what a part reflects to 0..=1. What was outside, without a full stop.
@@ -312,6 +343,19 @@ fn clamp(primitive: &Primitive, part: &mut RawPart) -> Vec<String> {
             "materials[{material}].pbrMetallicRoughness.baseColorFactor is {albedo:?}"
         ));
         *albedo = albedo.map(|c| c.clamp(0.0, 1.0));
+    }
+    let Finish {
+        roughness,
+        metallic,
+    } = &mut part.material.finish;
+    for (name, factor) in [("roughnessFactor", roughness), ("metallicFactor", metallic)] {
+        if !(0.0..=1.0).contains(factor) {
+            let material = primitive.material().index().unwrap_or_default();
+            wrong.push(format!(
+                "materials[{material}].pbrMetallicRoughness.{name} is {factor:?}"
+            ));
+            *factor = factor.clamp(0.0, 1.0);
+        }
     }
     if let Some(color) = part.colors.iter().find(|color| !inside(color)) {
         wrong.push(format!("COLOR_0 has the colour {color:?}"));

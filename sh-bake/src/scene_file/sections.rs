@@ -15,13 +15,14 @@ pub(super) const GROUND: [&str; 3] = ["height", "albedo", "enabled"];
 /// Keys of [camera].
 pub(super) const CAMERA: [&str; 3] = ["eye", "target", "fov"];
 /// Keys of [settings].
-pub(super) const SETTINGS: [&str; 6] = [
+pub(super) const SETTINGS: [&str; 7] = [
     "order",
     "accumulation_order",
     "window",
     "shadows",
     "half_resolution",
     "blocker_angle",
+    "gloss",
 ];
 
 impl SceneFile {
@@ -84,6 +85,7 @@ impl SceneFile {
             settings.window = Some(window);
         }
         settings.shadows = s.boolean("shadows")?.unwrap_or(true);
+        settings.gloss = s.boolean("gloss")?.unwrap_or(settings.gloss);
         let half = s.boolean("half_resolution")?;
         settings.half_resolution = half.unwrap_or(settings.half_resolution);
         // Beyond 30° a node's logarithm is no measure for that of its leaves.

@@ -1,5 +1,6 @@
 //! The sum of all blockers' log visibilities at a receiver (Ren et al. 2006, equation 38).
 
+use super::gloss::Gloss;
 use sh_core::seen::Seen;
 use sh_core::{Lane, Routines};
 use sh_scene::Blocker;
@@ -13,9 +14,36 @@ pub struct Point<L> {
     pub normal: [L; 3],
     /// The body, as [`sh_scene::Receiver::object`] has it.
     pub object: L,
+    /// How they mirror light, where that is asked for; else they reflect it diffusely.
+    pub gloss: Option<Gloss<L>>,
 }
 
 impl<L: Lane> Point<L> {
+    /// The lobe in which they reflect light.
+    #[inline(always)]
+    pub(crate) fn lobe<const C: usize>(&self) -> [L; C]
+    where
+        [L; C]: Routines<L>,
+    {
+        match &self.gloss {
+            None => <[L; C]>::cosine(self.normal),
+            Some(gloss) => gloss.lobe(),
+        }
+    }
+
+    /// What they reflect of a light of which they would reflect `open` diffusely at albedo 1: of one in a direction, with the
+    /// square of the sine of its angular radius.
+    #[inline(always)]
+    pub(crate) fn reflects(&self, open: L, direction: [L; 3], sine_square: L) -> L {
+        match &self.gloss {
+            None => open,
+            Some(gloss) => {
+                let (height, along) = (dot(direction, self.normal), dot(direction, gloss.view));
+                open * gloss.mirrors(height, along, sine_square * open.lift(0.25))
+            }
+        }
+    }
+
     /// 1 where a blocker is of the receiver's own body, 0 elsewhere.
     #[inline(always)]
     pub(crate) fn owns(&self, blocker: &Blocker) -> L {

@@ -77,6 +77,7 @@ pub(crate) struct Chunk<'a> {
     first: usize,
     receivers: &'a [Receiver],
     radiance: &'a mut [[f32; 3]],
+    eye: Option<[f32; 3]>,
 }
 
 /// What a run works on.
@@ -86,6 +87,8 @@ pub(crate) struct Work<'a> {
     /// Ranges of the receivers, one after another, together all of them.
     pub(crate) clusters: &'a [Range<usize>],
     pub(crate) radiance: &'a mut [[f32; 3]],
+    /// Where receivers are looked at from, which then mirror light; none: they reflect it diffusely.
+    pub(crate) eye: Option<[f32; 3]>,
 }
 
 /// Runs `kernel` with the coefficients of an order for every receiver. Radiance is 0 where a receiver is not covered.
@@ -112,6 +115,7 @@ fn split(work: Work, cluster: usize, run: &(impl Fn(Chunk) + Sync)) {
         receivers,
         clusters,
         radiance,
+        eye,
     } = work;
     let Some(first) = clusters.first().map(|range| range.start) else {
         return;
@@ -122,6 +126,7 @@ fn split(work: Work, cluster: usize, run: &(impl Fn(Chunk) + Sync)) {
             first,
             receivers,
             radiance,
+            eye,
         };
         return split_chunk(chunk, run);
     }
@@ -134,6 +139,7 @@ fn split(work: Work, cluster: usize, run: &(impl Fn(Chunk) + Sync)) {
         receivers,
         clusters,
         radiance,
+        eye,
     };
     let (a, b) = (part(near, left, low), part(far, right, high));
     rayon::join(|| split(a, cluster, run), || split(b, cluster + half, run));
@@ -153,6 +159,7 @@ fn split_chunk(chunk: Chunk, run: &(impl Fn(Chunk) + Sync)) {
         first,
         receivers,
         radiance,
+        eye: chunk.eye,
     };
     let (a, b) = (
         part(chunk.first, near, low),
@@ -186,7 +193,13 @@ impl<K: Kernel> Job for Groups<'_, K> {
             groups.zip(chunk.radiance.chunks_mut(G::COUNT)).enumerate()
         {
             let count = receivers.len();
-            let covered = |i: usize| i < count && receivers[i].covered != 0;
+            let covered = |i: usize| {
+                i < count
+                    && match chunk.eye {
+                        None => receivers[i].covered != 0,
+                        Some(_) => receivers[i].roughness().is_some(),
+                    }
+            };
             let Some(spare) = (0..count).find(|&i| covered(i)) else {
                 radiance.fill([0.0; 3]);
                 continue;
@@ -225,15 +238,34 @@ impl<K: Kernel> Job for Groups<'_, K> {
                     |i| held[i].normal[k],
                 )
             };
+            let position = [position(0), position(1), position(2)];
+            let normal = [normal(0), normal(1), normal(2)];
+            let gloss = match chunk.eye {
+                None => None,
+                Some([x, y, z]) => {
+                    let eye = [
+                        zero.lift(f64::from(x)),
+                        zero.lift(f64::from(y)),
+                        zero.lift(f64::from(z)),
+                    ];
+                    let roughness = G::gather(
+                        token,
+                        #[inline(always)]
+                        |i| held[i].roughness().unwrap_or(1.0),
+                    );
+                    Some(<G as Outline<C>>::gloss(position, normal, eye, roughness))
+                }
+            };
             let point = Point {
-                position: [position(0), position(1), position(2)],
-                normal: [normal(0), normal(1), normal(2)],
+                position,
+                normal,
                 // Exact up to some million bodies.
                 object: G::gather(
                     token,
                     #[inline(always)]
                     |i| held[i].object as f32,
                 ),
+                gloss,
             };
             let [red, green, blue] = kernel.shade::<G, C>(&place, &point, &mut room);
             let (red, green, blue) = (red.store(), green.store(), blue.store());

@@ -86,6 +86,7 @@ where
         // What is not a number fails the comparison.
         let (lit, all) = (light.dot(transfer), light.dot(open));
         let lit = L::select(zero.lt(lit), lit.min(all), zero);
+        let shown = point.reflects(shown, direction, sine * sine);
         let lit = L::select(zero.lt(all), shown * (lit / all), zero);
         let mut radiance = emitter.radiance.map(
             #[inline(always)]

@@ -71,6 +71,7 @@ where
             sine, direction, ..
         } = own.seen;
         let open = sine * sine * dot(direction, point.normal).max(zero);
+        let open = point.reflects(open, direction, sine * sine);
         let mut left = one;
         if !L::any(zero.lt(open)) {
             continue;

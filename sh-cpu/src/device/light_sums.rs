@@ -33,7 +33,7 @@ where
     [L; 4]: Routines<L>,
 {
     let zero = point.object.lift(0.0);
-    let lobe = <[L; C]>::cosine(point.normal);
+    let lobe: [L; C] = point.lobe();
     let mut all = Sums {
         at: At::new(point, lights),
         lobe,

@@ -8,6 +8,7 @@ pub(crate) mod drive;
 pub(crate) mod emission;
 pub(crate) mod emitters;
 pub(crate) mod geometry;
+pub(crate) mod gloss;
 pub(crate) mod horizon;
 pub(crate) mod lamps;
 pub(crate) mod light;

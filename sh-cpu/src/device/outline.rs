@@ -10,6 +10,7 @@ use super::accumulate::{Blockers, Point, accumulated};
 use super::behind::{Change, parted};
 use super::emission::Emission;
 use super::emitters::emitted;
+use super::gloss::Gloss;
 use super::light_cut::LightCut;
 use super::light_discs::{Disc, discs};
 use super::light_sums::sums;
@@ -51,6 +52,17 @@ where
 
     /// The first `N` coefficients of [`Routines::transfer`] of [`Routines::accumulated_log`] of such a sum.
     fn transfer<const N: usize>(sum: &[Self; C], normal: [Self; 3]) -> [Self; N];
+
+    /// The lobe in which receivers at a position with a normal, seen from an eye, mirror light.
+    fn gloss(
+        position: [Self; 3],
+        normal: [Self; 3],
+        eye: [Self; 3],
+        roughness: Self,
+    ) -> Gloss<Self>;
+
+    /// The first `N` coefficients of what of that is seen past all blockers of such a sum.
+    fn mirrored<const N: usize>(sum: &[Self; C], gloss: &Gloss<Self>) -> [Self; N];
 
     /// Radiance in three channels that `emitters` give through `transfer`, each between 0 and what it gives through
     /// `open`. Bit i of `dark` says that emitter i gives nothing.
@@ -137,6 +149,29 @@ macro_rules! routines {
                 sum[0],
                 #[inline(always)]
                 || first(&sum.accumulated_log().transfer(normal)),
+            )
+        }
+
+        #[$inline]
+        fn gloss(
+            position: [Self; 3],
+            normal: [Self; 3],
+            eye: [Self; 3],
+            roughness: Self,
+        ) -> Gloss<Self> {
+            $enter(
+                roughness,
+                #[inline(always)]
+                || Gloss::new(position, normal, eye, roughness),
+            )
+        }
+
+        #[$inline]
+        fn mirrored<const N: usize>(sum: &[Self; $c], gloss: &Gloss<Self>) -> [Self; N] {
+            $enter(
+                sum[0],
+                #[inline(always)]
+                || first(&gloss.transfer(&sum.accumulated_log())),
             )
         }
 

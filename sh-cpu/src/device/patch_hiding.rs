@@ -89,6 +89,12 @@ impl<L: Lane> Cone<L> {
         [-x, -y, -z]
     }
 
+    /// Its direction, and the square of the sine of its angular radius.
+    #[inline(always)]
+    pub(super) fn told(&self) -> ([L; 3], L) {
+        (self.direction, self.sine * self.sine)
+    }
+
     /// That of the same place in the world, if it is one in the space of a body.
     #[inline(always)]
     pub(super) fn world(&self, placed: &Placed) -> Self {

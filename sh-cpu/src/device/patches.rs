@@ -30,6 +30,7 @@
 //! what is told at the patches around, by how near they are and how much they face the same way.
 
 use super::accumulate::{Point, dot, each};
+use super::gloss::Gloss;
 use super::patch_cut::{Part, PatchCut};
 use super::patch_hiding::{Cone, Hidden, left, may_hide, see, world};
 use super::patch_lights::{Lit, PatchLights, Placed};
@@ -45,6 +46,23 @@ use std::f64::consts::PI;
 struct Local<L> {
     position: [L; 3],
     normal: [L; 3],
+    /// How they mirror light, and the direction to the eye.
+    gloss: Option<(Gloss<L>, [L; 3])>,
+}
+
+impl<L: Lane> Local<L> {
+    /// As [`Point::reflects`].
+    #[inline(always)]
+    fn reflects(&self, open: L, cone: &Cone<L>) -> L {
+        match &self.gloss {
+            None => open,
+            Some((gloss, view)) => {
+                let (direction, square) = cone.told();
+                let (height, along) = (dot(direction, self.normal), dot(direction, *view));
+                open * gloss.mirrors(height, along, square)
+            }
+        }
+    }
 }
 
 /// What [`crate::Outline::gathered_patches`] computes, to be inlined there.
@@ -128,6 +146,10 @@ fn local<L: Lane>(point: &Point<L>, placed: &Placed) -> Local<L> {
             },
         ),
         normal: turned(&turn, point.normal),
+        gloss: point.gloss.map(
+            #[inline(always)]
+            |gloss| (gloss, turned(&turn, gloss.view)),
+        ),
     }
 }
 
@@ -197,7 +219,8 @@ where
         if part.whole && L::any(zero.lt(open)) {
             let cone = seen.cone();
             let shown = escape(&region.whole, cone.back());
-            let open = open * shown * left(&cone.world(placed), hiding, kept);
+            let open =
+                local.reflects(open, &cone) * shown * left(&cone.world(placed), hiding, kept);
             let all = at * REGION_PATCHES..(at + 1) * REGION_PATCHES;
             add(&mut sum, lit.mean(all), open);
         }
@@ -213,7 +236,7 @@ where
             let cone = Cone::new(direction, (square, far), radius * radius);
             let seen = left(&cone.world(placed), hiding, kept);
             let basis = <[L; C]>::basis(cone.back());
-            let open = facing * seen / (square * far.lift(PI));
+            let open = local.reflects(facing, &cone) * seen / (square * far.lift(PI));
             let emission = &lit.emission[at * C..][..C];
             for (c, sum) in sum.iter_mut().enumerate() {
                 let mut intensity = zero;
@@ -240,8 +263,9 @@ where
             let open = seen.open * seen.whole * near;
             if L::any(zero.lt(open)) {
                 let cone = seen.cone();
-                let open =
-                    open * escape(facet, cone.back()) * left(&cone.world(placed), hiding, kept);
+                let open = local.reflects(open, &cone)
+                    * escape(facet, cone.back())
+                    * left(&cone.world(placed), hiding, kept);
                 add(&mut sum, lit.mean(first..first + QUARTER), open);
             }
             near = near * (one - seen.whole);
@@ -271,8 +295,9 @@ where
                 continue;
             }
             let cone = seen.lifted();
-            let open =
-                open * escape(&patch.whole, cone.back()) * left(&cone.world(placed), hiding, kept);
+            let open = local.reflects(open, &cone)
+                * escape(&patch.whole, cone.back())
+                * left(&cone.world(placed), hiding, kept);
             add(&mut sum, lit.radiance[m], open);
         }
     }

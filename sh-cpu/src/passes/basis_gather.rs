@@ -26,6 +26,8 @@ pub(crate) struct BasisGather<'a> {
     pub lights: &'a PatchLights,
     /// Whether receivers get what their own body gives itself.
     pub own: bool,
+    /// As [`Shadow::eye`](crate::Shadow::eye).
+    pub eye: Option<[f32; 3]>,
 }
 
 /// Writes the radiance that albedo 1 reflects of the light that comes by way of patches, at every receiver. Receivers that
@@ -44,6 +46,7 @@ pub(crate) fn basis_gather(
         receivers,
         clusters: gather.clusters,
         radiance,
+        eye: gather.eye,
     };
     drive(work, gather.lights.coefficients.isqrt(), gather)
 }

@@ -6,7 +6,7 @@ use crate::device::rays::Rays;
 use crate::error::Error;
 use glam::Vec3A;
 use rayon::prelude::*;
-use sh_scene::{Grid, Receiver, Tiles, View};
+use sh_scene::{Finish, Grid, Receiver, Tiles, View};
 use std::ops::Range;
 
 /// Receivers and albedo of some rows of tiles, in the order of [`Tiles`].
@@ -14,8 +14,8 @@ use std::ops::Range;
 pub struct Gbuffer {
     /// Position, normal and object; `covered` is 0 where the view looks into the sky, and beyond the grid.
     pub receivers: Vec<Receiver>,
-    /// Linear Rec.709 reflectance, black where nothing is hit.
-    pub albedo: Vec<[f32; 3]>,
+    /// Base colour, linear Rec.709, black where nothing is hit; and how metallic the surface is.
+    pub albedo: Vec<[f32; 4]>,
 }
 
 /// Fills `out` with the rows of tiles `rows` of `grid`, reusing its memory. Tiles are cast in parallel; every ray
@@ -34,7 +34,7 @@ pub fn gbuffer(
     out.receivers.clear();
     out.receivers.resize(count, NOTHING);
     out.albedo.clear();
-    out.albedo.resize(count, [0.0; 3]);
+    out.albedo.resize(count, [0.0; 4]);
     let eye = Vec3A::from(view.camera.eye);
     out.receivers
         .par_chunks_mut(Tiles::AREA)
@@ -51,7 +51,7 @@ pub fn gbuffer(
                 }
                 if let Some((seen, color)) = look(geometry, eye, rays.through(x, y)) {
                     *receiver = seen;
-                    *albedo = color.into();
+                    *albedo = color;
                 }
             }
         });
@@ -67,7 +67,7 @@ const NOTHING: Receiver = Receiver {
 };
 
 /// What a ray from the eye hits: a mesh, or the ground from above.
-fn look(geometry: &Geometry, eye: Vec3A, direction: Vec3A) -> Option<(Receiver, Vec3A)> {
+fn look(geometry: &Geometry, eye: Vec3A, direction: Vec3A) -> Option<(Receiver, [f32; 4])> {
     let hit = geometry.cast(eye, direction);
     let ground = geometry.scene.ground.and_then(|ground| {
         let distance = (ground.height - eye.y) / direction.y;
@@ -83,7 +83,8 @@ fn look(geometry: &Geometry, eye: Vec3A, direction: Vec3A) -> Option<(Receiver, 
             normal: [0.0, 1.0, 0.0],
             object: 0,
         };
-        return Some((receiver, ground.albedo.into()));
+        let [red, green, blue] = ground.albedo;
+        return Some((receiver, [red, green, blue, 0.0]));
     }
     let hit = hit?;
     let material = &geometry.scene.objects[hit.object as usize].material;
@@ -93,11 +94,16 @@ fn look(geometry: &Geometry, eye: Vec3A, direction: Vec3A) -> Option<(Receiver, 
         _ => albedo,
     };
     let albedo = hit.color.map_or(albedo, |color| albedo * color);
+    let finish = match geometry.scene.settings.gloss {
+        true => material.finish_at(hit.uv).packed(),
+        false => Finish::DIFFUSE.packed(),
+    };
     let receiver = Receiver {
         position: hit.position.into(),
-        covered: 1,
+        covered: Finish::covered(finish),
         normal: hit.normal.into(),
         object: geometry.scene.body(hit.object as usize),
     };
-    Some((receiver, albedo))
+    let [red, green, blue] = albedo.to_array();
+    Some((receiver, [red, green, blue, Finish::metallic(finish)]))
 }

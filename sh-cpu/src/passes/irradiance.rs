@@ -35,12 +35,33 @@ pub fn irradiance(
     irradiance_on(Path::best(), receivers, light, radiance)
 }
 
+/// Writes the mean of what receivers see of the light in the lobe in which they mirror it towards `eye`. Receivers without a
+/// roughness ([`Receiver::roughness`]) get 0.
+pub(crate) fn mirrored(
+    receivers: &[Receiver],
+    light: &Light,
+    eye: [f32; 3],
+    radiance: &mut [[f32; 3]],
+) -> Result<(), Error> {
+    seen(Path::best(), receivers, light, radiance, Some(eye))
+}
+
 /// [`irradiance`] on a vector path of the caller's choice.
 pub fn irradiance_on(
     path: Path,
     receivers: &[Receiver],
     light: &Light,
     radiance: &mut [[f32; 3]],
+) -> Result<(), Error> {
+    seen(path, receivers, light, radiance, None)
+}
+
+fn seen(
+    path: Path,
+    receivers: &[Receiver],
+    light: &Light,
+    radiance: &mut [[f32; 3]],
+    eye: Option<[f32; 3]>,
 ) -> Result<(), Error> {
     check_light(light)?;
     let all = 0..receivers.len();
@@ -49,6 +70,7 @@ pub fn irradiance_on(
         receivers,
         clusters: std::slice::from_ref(&all),
         radiance,
+        eye,
     };
     drive(work, light.order, &Unblocked { light })
 }
@@ -74,7 +96,7 @@ impl Kernel for Unblocked<'_> {
         [L; C]: Routines<L>,
     {
         let lobe = <[L; C]>::cosine(point.normal);
-        let environment = unblocked(&lobe, &self.light.coefficients);
+        let environment = unblocked(&point.lobe(), &self.light.coefficients);
         with_emitters(environment, &lobe, &lobe, point, (self.light, 0))
     }
 }

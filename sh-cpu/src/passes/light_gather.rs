@@ -38,6 +38,8 @@ pub struct LightGather<'a> {
     pub cuts: &'a LightCuts,
     /// What they send on.
     pub lights: &'a SphericalLights,
+    /// As [`Shadow::eye`](crate::Shadow::eye).
+    pub eye: Option<[f32; 3]>,
 }
 
 /// Writes the radiance that albedo 1 reflects of the light that comes by way of spheres, at every receiver. Receivers
@@ -64,6 +66,7 @@ pub fn light_gather(
         receivers,
         clusters: gather.clusters,
         radiance,
+        eye: gather.eye,
     };
     drive(work, gather.lights.order(), gather)
 }

@@ -6,20 +6,31 @@ use crate::device::rays::Rays;
 use crate::error::Error;
 use glam::Vec3A;
 use rayon::prelude::*;
+use sh_core::constants::{FACING, NEAREST};
+use sh_core::gloss::Reflectance;
 use sh_scene::{EnvironmentMap, Tiles, View};
 use std::ops::Range;
+
+/// The light of some tiles of samples.
+#[derive(Clone, Copy, Debug)]
+pub struct SampleLight<'a> {
+    /// What albedo 1 reflects.
+    pub radiance: &'a [[f32; 3]],
+    /// The mean of what samples that mirror light see in their lobe; none where none does.
+    pub mirrored: Option<&'a [[f32; 3]]>,
+}
 
 /// Resolves the pixel rows under the rows of tiles `rows` of `view`'s samples into `pixels` (linear Rec.709, as many
 /// rows as there are in them).
 ///
-/// `samples` and `radiance` hold these tiles. A sample
-/// is albedo times radiance where it is covered, and the environment along its ray elsewhere; a pixel is the
-/// mean of its samples (a box filter).
+/// `samples` and what is `lit` hold these tiles. A sample
+/// is albedo times radiance where it is covered, what it mirrors added as [`Reflectance`] has it, and the environment along its ray
+/// elsewhere; a pixel is the mean of its samples (a box filter).
 pub fn resolve(
     view: &View,
     rows: Range<u32>,
     samples: &Gbuffer,
-    radiance: &[[f32; 3]],
+    lit: SampleLight,
     environment: &EnvironmentMap,
     pixels: &mut [[f32; 3]],
 ) -> Result<(), Error> {
@@ -36,8 +47,12 @@ pub fn resolve(
     let count = width * (last.saturating_sub(first) / oversample) as usize;
     check_length("samples.receivers", tiles.len(), samples.receivers.len())?;
     check_length("samples.albedo", tiles.len(), samples.albedo.len())?;
-    check_length("radiance", tiles.len(), radiance.len())?;
+    check_length("radiance", tiles.len(), lit.radiance.len())?;
+    if let Some(mirrored) = lit.mirrored {
+        check_length("mirrored", tiles.len(), mirrored.len())?;
+    }
     check_length("pixels", count, pixels.len())?;
+    let eye = Vec3A::from(view.camera.eye);
     let rays = Rays::new(view, view.samples());
     let share = 1.0 / (oversample * oversample) as f32;
     pixels
@@ -51,7 +66,7 @@ pub fn resolve(
                     let y = row as u32 * oversample + sub / oversample;
                     let at = tiles.index(x, y);
                     sum += if samples.receivers[at].covered != 0 {
-                        Vec3A::from(samples.albedo[at]) * Vec3A::from(radiance[at])
+                        shown(samples, lit, at, eye)
                     } else {
                         environment.sample(rays.through(x, first + y).into()).into()
                     };
@@ -60,4 +75,19 @@ pub fn resolve(
             }
         });
     Ok(())
+}
+
+/// What a covered sample sends to the eye.
+fn shown(samples: &Gbuffer, lit: SampleLight, at: usize, eye: Vec3A) -> Vec3A {
+    let ([red, green, blue, metallic], receiver) = (samples.albedo[at], &samples.receivers[at]);
+    let radiance = Vec3A::from(lit.radiance[at]);
+    let (Some(mirrored), Some(roughness)) = (lit.mirrored, receiver.roughness()) else {
+        return Vec3A::new(red, green, blue) * radiance;
+    };
+    let away = eye - Vec3A::from(receiver.position);
+    let inverse = 1.0 / away.length().max(NEAREST as f32);
+    let facing = (away * inverse).dot(receiver.normal.into());
+    let facing = facing.max(FACING as f32).min(1.0);
+    let parts = Reflectance::new([red, green, blue], metallic, roughness, facing);
+    Vec3A::from(parts.diffuse) * radiance + Vec3A::from(parts.mirrored) * Vec3A::from(mirrored[at])
 }

@@ -52,6 +52,9 @@ pub struct Shadow<'a> {
     pub accumulation: usize,
     /// What [`bake`] found for each receiver: the sum of blockers to start with.
     pub baked: Option<&'a [f32]>,
+    /// Where receivers are looked at from. Those that have a roughness ([`sh_scene::Finish::covered`]) then mirror light, and what is written
+    /// is the mean of what they see in their lobe; all others get 0. None: all reflect diffusely.
+    pub eye: Option<[f32; 3]>,
 }
 
 /// Writes the radiance that albedo 1 reflects at every receiver under `light`, shadowed by all `spheres`, without a
@@ -88,6 +91,7 @@ pub fn shadow_on(
         light,
         accumulation,
         baked: None,
+        eye: None,
     };
     shadow_clusters(path, receivers, &all, radiance)
 }
@@ -130,6 +134,7 @@ pub fn shadow_clusters(
         receivers,
         clusters: shadow.clusters,
         radiance,
+        eye: shadow.eye,
     };
     drive(work, light.order, shadow)
 }
@@ -166,6 +171,7 @@ pub fn bake(
             position: receiver.position,
             normal: receiver.normal,
             object: receiver.object as f32,
+            gloss: None,
         };
         sum.copy_from_slice(&f32::accumulate(&[0.0; A], &point, blockers));
     }
@@ -249,8 +255,10 @@ where
         behind: cuts.behind(cluster),
     };
     let done = cuts.dark(cluster) | lamps.behind.lamps();
+    // Lamps are hidden as those who reflect diffusely have it: of a lobe little may be left where a lamp is.
     let mut transfer = [zero; C];
     let lobe = <[L; C]>::cosine(point.normal);
+    let mut mirrored = [zero; C];
     // What lamps give that are before some of the blockers.
     let mut before = [zero; 3];
     let mut add = |lamp: usize, transfer: &[L; C]| {
@@ -262,10 +270,21 @@ where
     };
     for_order!(
         accumulation,
-        A => accumulated::<L, A, C>(point, blockers, start, &mut transfer, lamps, &mut add)
+        A => accumulated::<L, A, C>(point, blockers, start, [&mut transfer, &mut mirrored], lamps, &mut add)
     );
-    let open = unblocked(&lobe, &light.coefficients);
-    let shadowed = reflected(&transfer, &light.coefficients);
+    let [open, shadowed] = match &point.gloss {
+        None => [
+            unblocked(&lobe, &light.coefficients),
+            reflected(&transfer, &light.coefficients),
+        ],
+        Some(gloss) => {
+            let open: [L; C] = gloss.lobe();
+            [
+                unblocked(&open, &light.coefficients),
+                reflected(&mirrored, &light.coefficients),
+            ]
+        }
+    };
     // What is not a number fails the comparison.
     let channel = |c: usize| L::select(zero.lt(shadowed[c]), shadowed[c].min(open[c]), zero);
     let environment = [channel(0), channel(1), channel(2)];
@@ -273,14 +292,15 @@ where
     [all[0] + before[0], all[1] + before[1], all[2] + before[2]]
 }
 
-/// The transfer of light of `C` coefficients behind blockers that are accumulated with `A`; `own` is told that of each lamp
+/// The transfers of light of `C` coefficients behind blockers that are accumulated with `A`, to what is reflected diffusely and, where
+/// that is asked for, to what is mirrored; `own` is told that of each lamp
 /// that has one of its own. A light of a higher order than the accumulation's is refused before.
 #[inline(always)]
 fn accumulated<L: Outline<A>, const A: usize, const C: usize>(
     point: &Point<L>,
     blockers: Blockers,
     start: Option<impl Fn(usize) -> L>,
-    transfer: &mut [L; C],
+    [transfer, mirrored]: [&mut [L; C]; 2],
     lamps: Lamps,
     own: &mut impl FnMut(usize, &[L; C]),
 ) where
@@ -301,5 +321,10 @@ fn accumulated<L: Outline<A>, const A: usize, const C: usize>(
         let parted = L::parted(&sum, point, emitter, changes);
         own(lamp, &L::transfer(&parted, point.normal));
     }
-    *transfer = L::transfer(&sum, point.normal);
+    if let Some(gloss) = &point.gloss {
+        *mirrored = L::mirrored(&sum, gloss);
+    }
+    if point.gloss.is_none() || !lamps.light.emitters.is_empty() {
+        *transfer = L::transfer(&sum, point.normal);
+    }
 }

@@ -43,6 +43,7 @@ impl Spheres<'_> {
             light: self.light,
             accumulation,
             baked: None,
+            eye: set.eye,
         };
         stages.time("shadow", || {
             shadow_clusters(self.path, receivers, &shadow, set.room())
@@ -79,6 +80,7 @@ impl Spheres<'_> {
             clusters,
             cuts,
             lights,
+            eye: set.eye,
         };
         stages.time("light_gather", || {
             light_gather(path, receivers, &gather, &mut sent)
@@ -113,6 +115,7 @@ impl Spheres<'_> {
             bodies: &bodies,
             lights,
             own,
+            eye: set.eye,
         };
         stages.time("basis_gather", || {
             basis_gather(path, receivers, &gather, &mut sent)

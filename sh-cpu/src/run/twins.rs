@@ -5,9 +5,9 @@ use crate::error::Error;
 use crate::passes::basis_update::{basis_update, dark};
 use crate::passes::gbuffer::gbuffer;
 use crate::passes::invalid::invalid;
-use crate::passes::irradiance::irradiance;
+use crate::passes::irradiance::{irradiance, mirrored};
 use crate::passes::points::{place, place_patches};
-use crate::passes::resolve::resolve;
+use crate::passes::resolve::{SampleLight, resolve};
 use crate::passes::scatter::scatter;
 use crate::passes::shares::shares;
 use crate::passes::upsample::upsample;
@@ -110,8 +110,9 @@ static TWINS: [Twin; 13] = [
         pass: &IRRADIANCE,
         run: |store, at, _, stages| {
             let (light, mut set) = (store.spheres.light, store.sets.of(at));
-            stages.time("irradiance", || {
-                irradiance(set.receivers, light, set.room())
+            stages.time("irradiance", || match set.eye {
+                Some(eye) => mirrored(set.receivers, light, eye, set.room()),
+                None => irradiance(set.receivers, light, set.room()),
             })?;
             Ok(set.clusters.len() as u64)
         },
@@ -128,7 +129,7 @@ static TWINS: [Twin; 13] = [
             let mut all = vec![radiance(store, at)];
             // What all of them share, once.
             let shares = match at {
-                Domain::Rest => false,
+                Domain::Rest | Domain::Gloss => false,
                 Domain::Points | Domain::Patches => !store.scene.settings.shadows,
                 _ => true,
             };
@@ -156,7 +157,7 @@ static TWINS: [Twin; 13] = [
             let name = match at {
                 Domain::Halves => "light sent, at half resolution",
                 Domain::Rest => "light sent to the rest of a band",
-                Domain::Points | Domain::Patches => return Vec::new(),
+                Domain::Points | Domain::Patches | Domain::Gloss => return Vec::new(),
                 _ => "light sent to a band",
             };
             vec![(name, count * size_of::<[f32; 3]>())]
@@ -278,16 +279,13 @@ static TWINS: [Twin; 13] = [
             let (view, rows) = (camera.view, camera.rows(band));
             let tasks = u64::from(rows.len() as u32 * Tiles::SIDE / View::OVERSAMPLE);
             let (sets, environment) = (&store.sets, &store.scene.environment);
+            let lit = SampleLight {
+                radiance: &sets.radiance,
+                mirrored: store.scene.mirrors().then_some(&sets.gloss_radiance[..]),
+            };
             let pixels = camera.pixels(band);
             stages.time("resolve", || {
-                resolve(
-                    &view,
-                    rows,
-                    &sets.samples,
-                    &sets.radiance,
-                    environment,
-                    pixels,
-                )
+                resolve(&view, rows, &sets.samples, lit, environment, pixels)
             })?;
             Ok(tasks)
         },
@@ -331,6 +329,9 @@ fn see(store: &mut Store, at: Domain, band: u32, stages: &mut Stages) -> Result<
         gbuffer(&camera.geometry, &view, grid, rows, &mut sets.samples)
     })?;
     sets.sample_clusters = camera.tiles(band).clusters();
+    if store.scene.mirrors() {
+        sets.polish(view.camera.eye.into());
+    }
     Ok(sets.sample_clusters.len() as u64)
 }
 
@@ -343,6 +344,7 @@ fn radiance(store: &mut Store, at: Domain) -> (&'static str, usize) {
     let name = match at {
         Domain::Halves => "radiance at half resolution",
         Domain::Rest => "radiance of the rest of a band",
+        Domain::Gloss => "mirrored light of a band",
         Domain::Points => "light on points of surfaces",
         Domain::Patches => "light on points of patches",
         _ => "radiance of a band",

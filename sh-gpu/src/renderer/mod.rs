@@ -115,19 +115,24 @@ impl Renderer {
         };
         let bands = bands(view.samples())?;
         let options = options(scene);
+        let gloss = plan.runs_over(Domain::Gloss);
         let inputs = match plan.is_blocked() {
             true => Some(Arc::new(Inputs::new(pipelines, options)?)),
             false => None,
         };
         let shadow = match &inputs {
-            Some(inputs) if plan.has(&SHADOW) => Some(Arc::new(ShadowPass::of(inputs, options)?)),
+            Some(inputs) if plan.has(&SHADOW) => {
+                Some(Arc::new(ShadowPass::of(inputs, options, gloss)?))
+            }
             _ => None,
         };
         let sends = sends(plan);
         let gather = match &inputs {
             Some(inputs) if sends => {
                 let blocking = scene.settings.indirect.unwrap_or_default().blocking;
-                Some(Arc::new(LightGatherPass::of(device, inputs, blocking)?))
+                Some(Arc::new(LightGatherPass::of(
+                    device, inputs, blocking, gloss,
+                )?))
             }
             _ => None,
         };
@@ -152,7 +157,12 @@ impl Renderer {
             Some(inputs) if plan.has(&BASIS_UPDATE) => {
                 let bodies = BasisBody::all(&scene.objects);
                 let bounces = scene.settings.indirect.unwrap_or_default().bounces;
-                Some(Arc::new(Bases::new(device, inputs, bodies, bounces)?))
+                Some(Arc::new(Bases::new(
+                    device,
+                    inputs,
+                    bodies,
+                    (bounces, gloss),
+                )?))
             }
             _ => None,
         };
@@ -245,6 +255,16 @@ impl Renderer {
         }
         if self.lights_uploaded() != before {
             self.sent.change();
+        }
+        // Bodies look the same from wherever.
+        let eye = view.camera.eye.to_array();
+        if let Some(inputs) = &self.inputs {
+            inputs.lit.look_from(queue, eye);
+        }
+        for stage in &self.stages {
+            if let Work::Irradiance { pass, .. } = &stage.work {
+                pass.look_from(queue, eye);
+            }
         }
         Ok(())
     }

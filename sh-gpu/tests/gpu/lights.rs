@@ -110,6 +110,7 @@ impl Case<'_> {
             clusters,
             cuts: &cuts,
             lights: &lights,
+            eye: None,
         };
         let mut radiance = vec![[0.0; 3]; receivers.len()];
         sh_cpu::light_gather(path, receivers, &gather, &mut radiance).unwrap();

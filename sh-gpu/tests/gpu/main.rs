@@ -4,6 +4,7 @@
 mod clusters;
 mod frame;
 mod gbuffer;
+mod gloss;
 mod gpu;
 mod hard_cases;
 mod hard_scenes;
@@ -203,6 +204,14 @@ const TESTS: &[Test] = &[
     (
         "patches::patches_give_what_they_do_on_the_cpu",
         patches::patches_give_what_they_do_on_the_cpu,
+    ),
+    (
+        "gloss::what_is_mirrored_is_what_it_is_on_the_cpu",
+        gloss::what_is_mirrored_is_what_it_is_on_the_cpu,
+    ),
+    (
+        "gloss::nothing_is_made_for_what_is_matt",
+        gloss::nothing_is_made_for_what_is_matt,
     ),
     (
         "frame::timestamps_tell_every_pass",

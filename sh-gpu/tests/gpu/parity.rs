@@ -73,6 +73,7 @@ fn shadowed_on_cpu(
         light,
         accumulation,
         baked: None,
+        eye: None,
     };
     let mut radiance = vec![[0.0; 3]; receivers.len()];
     sh_cpu::shadow_clusters(Path::best(), receivers, &shadow, &mut radiance).unwrap();

@@ -6,7 +6,7 @@ use crate::scenes::{shining, view};
 use sh_scene::{Plan, Scene};
 
 /// How far apart both are: of nearly all pixels, and in the mean, over the mean of the picture.
-fn apart(gpu: &Gpu, scene: &Scene, what: &str) -> [f32; 2] {
+pub fn apart(gpu: &Gpu, scene: &Scene, what: &str) -> [f32; 2] {
     let view = view(scene, 96, 64);
     let ours = picture_of(gpu, scene, &view, &scene.light().unwrap());
     let plan = Plan::new(scene);

@@ -1,7 +1,7 @@
 //! What of a scene decides about its passes.
 
 use super::passes::SHADOW;
-use super::{Domain, LeftOut, Resource, Run};
+use super::{Domain, Entry, LeftOut, Resource, Run};
 use crate::{BasisBody, Method, Object, Scene, Settings};
 
 /// What of a scene and its settings decides about passes and shaders.
@@ -34,6 +34,8 @@ pub struct Facts<'a> {
     pub patched: Result<usize, &'static str>,
     /// The points of these.
     pub patches: usize,
+    /// How many objects mirror light.
+    pub glossy: usize,
 }
 
 impl<'a> Facts<'a> {
@@ -61,6 +63,10 @@ impl<'a> Facts<'a> {
             patches: BasisBody::all(&scene.objects)
                 .map(|body| body.basis.patches())
                 .sum(),
+            glossy: match settings.gloss && !brought {
+                true => scene.objects.iter().filter(polished).count(),
+                false => 0,
+            },
         }
     }
 
@@ -98,6 +104,26 @@ impl<'a> Facts<'a> {
             ],
             false => vec![Run::once(self.finest(), reason)],
         }
+    }
+
+    /// The run of a pass over what mirrors light.
+    pub(super) fn gloss(&self, reason: &str) -> Option<Run> {
+        (self.glossy > 0).then(|| Run::once(Domain::Gloss, reason))
+    }
+
+    /// The entries of a pass, as they are and as they are for what mirrors light, where anything does.
+    pub(super) fn with_gloss(&self, entries: Vec<Entry>) -> Vec<Entry> {
+        let all = entries.into_iter().flat_map(|entry| {
+            let kinds: &[bool] = if self.glossy > 0 {
+                &[false, true]
+            } else {
+                &[false]
+            };
+            kinds
+                .iter()
+                .map(move |gloss| entry.clone().with(&[("GLOSS", *gloss)]))
+        });
+        all.collect()
     }
 
     /// Runs of a pass over all points of bodies in the turns of further bounces.
@@ -151,6 +177,21 @@ impl<'a> Facts<'a> {
         }
     }
 
+    /// What a picture that mirrors light says of it: from which roughness on the order of light blurs what is mirrored of the
+    /// environment.
+    pub(super) fn mirrored(&self) -> String {
+        let objects = counted(self.glossy, "object mirrors", "objects mirror");
+        let order = self.settings.order;
+        format!(
+            "{objects} light; the environment is of order {order}, so that what is smoother than roughness {:.2} mirrors it as blurred as that, but lamps and bodies sharply{}.",
+            sharpest(order),
+            match self.sends() {
+                true => "",
+                false => "; bodies are black there, since they send no light on",
+            }
+        )
+    }
+
     /// What parts of passes there is no work for.
     pub(super) fn left_out(&self) -> Vec<LeftOut> {
         let mut all = Vec::new();
@@ -174,6 +215,18 @@ impl<'a> Facts<'a> {
         }
         if self.scene.ground.is_none() && !self.brought {
             add("ground", "There is no ground plane: it is not drawn.");
+        }
+        let polished = self.scene.objects.iter().filter(polished).count();
+        if !self.brought && polished > 0 && !self.settings.gloss {
+            let bodies = counted(
+                polished,
+                "polished object reflects",
+                "polished objects reflect",
+            );
+            add(
+                "gloss",
+                &format!("The settings do not ask for it: {bodies} diffusely."),
+            );
         }
         if self.drawn == 0 && !self.brought {
             add("bodies", "No object has a triangle: none is drawn.");
@@ -226,6 +279,17 @@ fn patched(scene: &Scene) -> Result<usize, &'static str> {
         return Err("No body has functions that tell its irradiance.");
     }
     Ok(count)
+}
+
+/// Whether an object mirrors light.
+fn polished(object: &&Object) -> bool {
+    object.material.is_glossy() && !object.mesh.triangles.is_empty()
+}
+
+/// The roughness whose lobe, seen nearly from the front, leaves a third of the last band of an order: smoother surfaces would mirror what
+/// light of that order does not have.
+fn sharpest(order: usize) -> f32 {
+    [1.0, 0.72, 0.54, 0.47, 0.42][order.clamp(2, 6) - 2]
 }
 
 /// "1 object", "3 objects".

@@ -121,6 +121,15 @@ impl Slot {
         Self::new(resource, Access::Read)
     }
 
+    /// Reads the receivers of a domain: those that mirror light are samples.
+    pub fn receivers(at: Domain) -> Self {
+        let of = match at {
+            Domain::Gloss => Domain::Samples,
+            _ => at,
+        };
+        Self::read(super::resource::RECEIVERS).of(of)
+    }
+
     /// Reads a resource where there is one.
     pub const fn read_if_any(resource: Resource) -> Self {
         Self::new(resource, Access::ReadIfAny)
@@ -201,10 +210,10 @@ impl Entry {
         }
     }
 
-    /// With these constants.
-    pub fn with(self, constants: &[(&'static str, bool)]) -> Self {
-        let constants = constants.to_vec();
-        Self { constants, ..self }
+    /// With these constants as well.
+    pub fn with(mut self, constants: &[(&'static str, bool)]) -> Self {
+        self.constants.extend(constants);
+        self
     }
 }
 

@@ -22,13 +22,15 @@ pub enum Domain {
     Samples,
     /// The samples that half resolution does not do for: a list, different in every frame.
     Rest,
+    /// The samples of the picture that mirror light: as many elements as it has samples.
+    Gloss,
     /// The pixels of the picture.
     Pixels,
 }
 
 impl Domain {
     /// All of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Scene,
         Self::Points,
         Self::Spheres,
@@ -37,6 +39,7 @@ impl Domain {
         Self::Halves,
         Self::Samples,
         Self::Rest,
+        Self::Gloss,
         Self::Pixels,
     ];
 
@@ -51,6 +54,7 @@ impl Domain {
             Self::Halves => "halves",
             Self::Samples => "samples",
             Self::Rest => "rest",
+            Self::Gloss => "gloss",
             Self::Pixels => "pixels",
         }
     }
@@ -67,7 +71,7 @@ impl Domain {
             Self::Scene | Self::Points | Self::Spheres | Self::Patches => Phase::Bodies,
             Self::Receivers => Phase::Brought,
             Self::Halves => Phase::Coarse,
-            Self::Samples | Self::Rest | Self::Pixels => Phase::Fine,
+            Self::Samples | Self::Rest | Self::Gloss | Self::Pixels => Phase::Fine,
         }
     }
 }
@@ -208,15 +212,15 @@ pub const RECEIVERS: Resource = Resource::made(
     (32, &["receivers", "clusters"]),
 );
 
-/// Linear Rec.709 reflectance of each receiver.
+/// Base colour of each receiver, linear Rec.709, and how metallic it is.
 pub const ALBEDO: Resource = Resource::made(
     "albedo",
-    "linear Rec.709 reflectance",
+    "linear Rec.709 reflectance and metallic",
     None,
     (16, &["albedo"]),
 );
 
-/// Radiance that albedo 1 would reflect at each receiver.
+/// Radiance that albedo 1 would reflect at each receiver; of those that mirror light, the mean of what they see in their lobe.
 pub const RADIANCE: Resource = Resource::made(
     "radiance",
     "linear Rec.709 radiance",

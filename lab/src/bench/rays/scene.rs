@@ -193,6 +193,7 @@ impl Frame {
             light,
             accumulation: self.accumulation,
             baked: None,
+            eye: None,
         };
         shadow_clusters(path, &world.receivers, &shadow, &mut self.radiance)?;
         Ok(())

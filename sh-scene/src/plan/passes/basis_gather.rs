@@ -1,7 +1,7 @@
 //! The light that patches have sent on.
 
 use super::basis_update::not_asked;
-use crate::plan::resource::{BASES, BLOCKERS, PATCH_LIGHT, RADIANCE, RECEIVERS, SENT};
+use crate::plan::resource::{BASES, BLOCKERS, PATCH_LIGHT, RADIANCE, SENT};
 use crate::plan::{Cost, Domain, Entry, Orders, Pass, Slot};
 
 /// Light by way of patches, added to radiance; kept apart from it at half resolution, where shadows are interpolated as a
@@ -20,7 +20,7 @@ pub static BASIS_GATHER: Pass = Pass {
             _ => Slot::read(PATCH_LIGHT),
         };
         vec![
-            Slot::read(RECEIVERS),
+            Slot::receivers(at),
             Slot::read(BLOCKERS),
             Slot::read(BASES).named(&["bodies", "patches", "regions"]),
             light.of(Domain::Patches),
@@ -37,6 +37,7 @@ pub static BASIS_GATHER: Pass = Pass {
         );
         let rest = "Edges and small folds gather what bodies send by themselves.";
         runs.extend(facts.seen(reason, rest));
+        runs.extend(facts.gloss("Polished surfaces mirror what patches send."));
         Ok(runs)
     },
     entries: |facts| {
@@ -45,7 +46,15 @@ pub static BASIS_GATHER: Pass = Pass {
             .into_iter()
             .take(facts.bounces().min(2) as usize);
         let entry = || Entry::new("basis_gather", "gather", Orders::Light);
-        own.map(|own| entry().with(&[("OWN_LIGHT", own)])).collect()
+        let all = own.map(|own| entry().with(&[("OWN_LIGHT", own)]));
+        let (seen, points): (Vec<_>, Vec<_>) = all.partition(|entry| entry.constants[0].1);
+        let mut all = facts.with_gloss(seen);
+        all.extend(
+            points
+                .into_iter()
+                .map(|entry| entry.with(&[("GLOSS", false)])),
+        );
+        all
     },
     cost: |units| Cost {
         multiply_adds: units.patches,

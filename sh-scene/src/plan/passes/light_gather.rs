@@ -1,7 +1,7 @@
 //! The light that spheres have sent on.
 
 use crate::Blocking;
-use crate::plan::resource::{BLOCKERS, EMISSION, RADIANCE, RECEIVERS, SENT};
+use crate::plan::resource::{BLOCKERS, EMISSION, RADIANCE, SENT};
 use crate::plan::{Cost, Domain, Entry, Orders, Pass, Slot};
 
 /// Light by way of spheres, added to radiance; kept apart from it at half resolution, where shadows are interpolated as a
@@ -10,19 +10,19 @@ pub static LIGHT_GATHER: Pass = Pass {
     name: "light_gather",
     slots: |at| match at {
         Domain::Points | Domain::Patches => vec![
-            Slot::read(RECEIVERS),
+            Slot::receivers(at),
             Slot::read(BLOCKERS),
             Slot::read_before(EMISSION),
             Slot::add(SENT),
         ],
         Domain::Halves | Domain::Receivers => vec![
-            Slot::read(RECEIVERS),
+            Slot::receivers(at),
             Slot::read(BLOCKERS),
             Slot::read(EMISSION),
             Slot::add(SENT),
         ],
         _ => vec![
-            Slot::read(RECEIVERS),
+            Slot::receivers(at),
             Slot::read(BLOCKERS),
             Slot::read(EMISSION),
             Slot::modify(RADIANCE),
@@ -45,15 +45,20 @@ pub static LIGHT_GATHER: Pass = Pass {
             .bounced("What spheres send falls on the surfaces of others, to be sent on again.");
         let rest = "Edges and small folds gather what bodies send by themselves.";
         runs.extend(facts.seen(reason, rest));
+        runs.extend(facts.gloss("Polished surfaces mirror what spheres send."));
         Ok(runs)
     },
     entries: |facts| {
         let entry = |name| Entry::new("light_gather", name, Orders::Light);
-        vec![match facts.settings.indirect.unwrap_or_default().blocking {
-            Blocking::Discs => entry("gather_discs"),
-            Blocking::Runs | Blocking::Sphere => entry("gather_sums").with(&[("BY_BODIES", false)]),
-            Blocking::Object => entry("gather_sums").with(&[("BY_BODIES", true)]),
-        }]
+        facts.with_gloss(vec![
+            match facts.settings.indirect.unwrap_or_default().blocking {
+                Blocking::Discs => entry("gather_discs"),
+                Blocking::Runs | Blocking::Sphere => {
+                    entry("gather_sums").with(&[("BY_BODIES", false)])
+                }
+                Blocking::Object => entry("gather_sums").with(&[("BY_BODIES", true)]),
+            },
+        ])
     },
     cost: |units| Cost {
         multiply_adds: units.gather,

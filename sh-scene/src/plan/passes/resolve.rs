@@ -11,6 +11,9 @@ pub static RESOLVE: Pass = Pass {
             Slot::read(RECEIVERS).of(Domain::Samples),
             Slot::read(ALBEDO).of(Domain::Samples),
             Slot::read(RADIANCE).of(Domain::Samples),
+            Slot::read_if_any(RADIANCE)
+                .of(Domain::Gloss)
+                .named(&["mirrored"]),
             Slot::read(ENVIRONMENT),
             Slot::write(PICTURE),
         ]
@@ -22,7 +25,10 @@ pub static RESOLVE: Pass = Pass {
             "Lit samples become pixels, with the environment behind them.",
         )]),
     },
-    entries: |_| vec![Entry::new("resolve", "resolve", Orders::None)],
+    entries: |facts| {
+        let gloss = ("GLOSS", facts.glossy > 0);
+        vec![Entry::new("resolve", "resolve", Orders::None).with(&[gloss])]
+    },
     cost: |_| Cost {
         multiply_adds: 0.0,
         nanoseconds: 60.0,

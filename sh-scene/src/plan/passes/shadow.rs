@@ -1,15 +1,15 @@
 //! Light through the visibility of all blocker spheres.
 
 use crate::plan::facts::counted;
-use crate::plan::resource::{BLOCKERS, LIGHT, RADIANCE, RECEIVERS};
+use crate::plan::resource::{BLOCKERS, LIGHT, RADIANCE};
 use crate::plan::{Cost, Entry, Orders, Pass, Run, Slot};
 
 /// Shadowed light.
 pub static SHADOW: Pass = Pass {
     name: "shadow",
-    slots: |_| {
+    slots: |at| {
         vec![
-            Slot::read(RECEIVERS),
+            Slot::receivers(at),
             Slot::read(BLOCKERS),
             Slot::read(LIGHT),
             Slot::write(RADIANCE),
@@ -39,11 +39,17 @@ pub static SHADOW: Pass = Pass {
         let reason = format!("{light} is cast into shadow by {spheres}{accumulated}.");
         let rest = "Edges and small folds, for which half resolution does not do, are shaded by themselves.";
         runs.extend(facts.seen(reason, rest));
+        runs.extend(facts.gloss(&facts.mirrored()));
         Ok(runs)
     },
     entries: |facts| {
         let entry = Entry::new("shadow", "shadow", Orders::Both);
-        vec![entry.with(&facts.lamp_constants())]
+        let entry = entry.with(&facts.lamp_constants());
+        // Without blockers it runs over points of bodies alone.
+        match facts.unblocked() {
+            None => facts.with_gloss(vec![entry]),
+            Some(_) => vec![entry.with(&[("GLOSS", false)])],
+        }
     },
     cost: |units| Cost {
         multiply_adds: units.shadow,
