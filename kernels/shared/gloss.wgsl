@@ -64,7 +64,7 @@ fn lobe_of(receiver: Receiver, gloss: Gloss) -> array<f32, $C> {
 }
 
 // What a receiver reflects of a light of which it would reflect `open` diffusely at albedo 1, by the cosines of the light's
-// direction with the normal and with the view, and what its size adds to the square of alpha.
+// direction with the normal and with the view, and what its size adds to the square of alpha, over h . v.
 fn reflects(open: f32, gloss: Gloss, towards: f32, along: f32, size: f32) -> f32 {
     if (!GLOSS) {
         return open;
@@ -72,8 +72,10 @@ fn reflects(open: f32, gloss: Gloss, towards: f32, along: f32, size: f32) -> f32
     let height = max(towards, 0.0);
     // (n . h)^2, of h = l + v, whose length squared is 2 + 2 l . v.
     let both = height + gloss.facing;
-    let half = min(both * both / max(2.0 + 2.0 * along, NEAREST), 1.0);
-    let wide = min(size + gloss.square, 1.0);
+    let two = max(2.0 + 2.0 * along, NEAREST);
+    let half = min(both * both / two, 1.0);
+    // h . v is half of that length.
+    let wide = min(size * 2.0 / sqrt(two) + gloss.square, 1.0);
     let fall = half * (wide - 1.0) + 1.0;
     let rest = 1.0 - gloss.square;
     let before = sqrt(rest * gloss.facing * gloss.facing + gloss.square);

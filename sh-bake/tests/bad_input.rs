@@ -232,6 +232,16 @@ const WRONG_SCENES: &[(&str, &str, &[&str])] = &[
         &["line 3", "objects.albedo has 1.5 in it", "from 0 to 1"],
     ),
     (
+        "roughness_above_one.toml",
+        "",
+        &["line 3", "objects.roughness is 1.5", "from 0 to 1"],
+    ),
+    (
+        "gloss_no_boolean.toml",
+        "",
+        &["line 5", "settings.gloss", "true or false"],
+    ),
+    (
         "bad_map.toml",
         "negative_pixel.exr",
         &["pixel (column 2, row 1) has green -0.5"],

@@ -60,6 +60,38 @@ fn nodes_move_and_mirror_their_meshes() {
     assert_eq!(part.mesh.uvs[1], [1.0, 1.0]);
 }
 
+/// How polished a surface is: a file's factors and texture, which a scene may overrule; what neither says of is diffuse, but a metal where
+/// a glTF file has a material and says nothing.
+#[test]
+fn finishes_are_read() {
+    let model = load_mesh(&good("polished.gltf")).unwrap();
+    let material = &model.parts[0].material;
+    assert_eq!(
+        (material.finish.roughness, material.finish.metallic),
+        (0.5, 0.25)
+    );
+    // Green is 0 in both texels, blue in the first: as numbers, not as colours.
+    assert!(material.texture.is_none() && material.finish_texture.is_some());
+    assert_eq!(model.parts[0].mesh.uvs.len(), 4);
+    let finish = material.finish_at(Some([0.75, 0.5]));
+    assert_eq!((finish.roughness, finish.metallic), (0.0, 0.25));
+    let silent = load_mesh(&good("mirrored.gltf")).unwrap();
+    let finish = silent.parts[0].material.finish;
+    assert_eq!((finish.roughness, finish.metallic), (1.0, 1.0));
+    let plain = load_mesh(&good("polygon.obj")).unwrap();
+    assert_eq!(plain.parts[0].material.finish, sh_scene::Finish::DIFFUSE);
+
+    let scene = load_scene(&good("polished.toml")).unwrap().scene;
+    let finishes: Vec<_> = scene.objects.iter().map(|o| &o.material).collect();
+    assert!(finishes[0].finish_texture.is_some());
+    // What the scene says counts for all of it, and the file's factor for the rest.
+    assert!(finishes[1].finish_texture.is_none());
+    let [one, other] = [1, 2].map(|i: usize| finishes[i].finish);
+    assert_eq!((one.roughness, one.metallic), (0.125, 0.25));
+    assert_eq!((other.roughness, other.metallic), (1.0, 1.0));
+    assert!(!scene.settings.gloss && !scene.mirrors());
+}
+
 /// A wall gets no spheres, is not complained of for its edges, and sends light by its patches; by spheres it cannot, which is said.
 #[test]
 fn what_blocks_no_light_has_no_spheres() {

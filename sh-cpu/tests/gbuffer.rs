@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Random, object, scene, sphere_mesh};
-use glam::{Affine3A, Quat, Vec3, Vec3A, vec3};
+use glam::{Affine3A, Quat, Vec3, Vec3A, Vec4, vec3};
 use sh_cpu::{Error, Gbuffer, Geometry, gbuffer};
 use sh_scene::{Camera, Ground, Mesh, Scene, Texture, Tiles, View};
 use std::f32::consts::PI;
@@ -105,7 +105,7 @@ fn the_ground_is_seen_from_above_only_and_behind_what_stands_on_it() {
             ground += 1;
             assert_eq!(receiver.position[1], -1.0);
             assert_eq!(receiver.normal, [0.0, 1.0, 0.0]);
-            assert_eq!(*albedo, [0.2, 0.4, 0.6]);
+            assert_eq!(*albedo, [0.2, 0.4, 0.6, 0.0]);
             let expected = view.camera.eye + direction * (-1.5 / direction.y);
             assert!((expected - Vec3::from(receiver.position)).length() < 1e-4 * expected.length());
         } else {
@@ -210,7 +210,7 @@ fn textures_multiply_the_albedo() {
     let (upper, lower) = (at(40, 26), at(40, 54));
     assert!(upper[0] > 0.45 && upper[2] < 0.1, "{upper:?}");
     assert!(lower[2] > 0.9 && lower[0] < 0.05, "{lower:?}");
-    assert_eq!(at(0, 0), [0.0; 3]);
+    assert_eq!(at(0, 0), [0.0; 4]);
 }
 
 #[test]
@@ -231,7 +231,7 @@ fn vertex_colours_multiply_the_albedo() {
             let color = Vec3::from(receiver.position) * 0.5 + 0.5;
             let expected = color * vec3(0.5, 1.0, 1.0);
             assert!(
-                expected.distance(Vec3::from(*albedo)) < 1e-5,
+                expected.distance(Vec4::from(*albedo).truncate()) < 1e-5,
                 "{receiver:?}: {albedo:?}"
             );
             covered += 1;

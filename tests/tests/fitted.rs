@@ -203,7 +203,7 @@ fn a_polished_surface_has_the_lobe_that_its_facets_make() {
         }
     }
     println!("largest error of energy, grazing, tilt and bands {worst:.4?}");
-    let bounds = [0.02, 0.02, 0.013, 0.012, 0.02, 0.027, 0.035, 0.047];
+    let bounds = [0.028, 0.033, 0.013, 0.011, 0.021, 0.024, 0.03, 0.038];
     for (worst, bound) in worst.iter().zip(bounds) {
         assert!(*worst < bound, "{worst} of {bound}");
     }

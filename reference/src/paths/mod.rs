@@ -46,7 +46,6 @@ pub use mean::Radiance;
 use points::{Points, mix};
 use sh_scene::{LightError, Scene};
 use sky::{MapSky, Sky};
-use std::f64::consts::PI;
 use surfaces::{Met, Surfaces};
 
 /// What is traced.

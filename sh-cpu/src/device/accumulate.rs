@@ -1,6 +1,7 @@
 //! The sum of all blockers' log visibilities at a receiver (Ren et al. 2006, equation 38).
 
 use super::gloss::Gloss;
+use super::vectors::{dot, each};
 use sh_core::seen::Seen;
 use sh_core::{Lane, Routines};
 use sh_scene::Blocker;
@@ -204,16 +205,4 @@ where
         |l| seen.sine.lift(f64::from(weights[l])),
     );
     sum.accumulate_blocker(seen.sine, seen.cosine, seen.direction, weights)
-}
-
-/// Three values. (The standard library's `from_fn` is not always inlined, and would then be compiled without
-/// the instruction set.)
-#[inline(always)]
-pub(crate) fn each<L>(value: impl Fn(usize) -> L) -> [L; 3] {
-    [value(0), value(1), value(2)]
-}
-
-#[inline(always)]
-pub(crate) fn dot<L: Lane>(a: [L; 3], b: [L; 3]) -> L {
-    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
 }

@@ -8,9 +8,10 @@
 //!
 //! A node of the cut that reaches around a lamp is looked into: its leaves count one by one.
 
-use super::accumulate::{Blockers, Point, above, dot, each, seen_from, whole};
+use super::accumulate::{Blockers, Point, above, seen_from, whole};
 use super::horizon::is_far;
 use super::order::{power, share};
+use super::vectors::{dot, each};
 use glam::Vec3;
 use sh_core::constants::{ASIDE, ASIDE_EDGE, MOST_LAMPS, NEAR, NEAREST, REACH, STEEP, WIDENED};
 use sh_core::{Lane, Routines};

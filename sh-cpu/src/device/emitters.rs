@@ -16,8 +16,9 @@
 //! A ball that is not equally bright all over gives the mean radiance of what the receiver sees of it, as spheres do
 //! that send light on (Guerrero et al. 2008, equations 16 to 18 and section 7.3).
 
-use super::accumulate::{Point, dot, each};
+use super::accumulate::Point;
 use super::light::reflected;
+use super::vectors::{dot, each};
 use sh_core::constants::NEAREST;
 use sh_core::{Lane, ROOT_FOUR_PI, Routines};
 use sh_scene::Emitter;

@@ -12,13 +12,14 @@
 //! even sky, E, that is a mean over the lobe: what this gives. `resolve` multiplies with the reflectance.
 //!
 //! What a light of some size gives, a sphere, a patch or a lamp, is D at its middle, blurred by its size: in the place of α² is
-//! α² + sin² θ / 4, θ its angular radius, since h turns half as far as l does. A light in the mirrored direction that is much
-//! larger than the lobe then gives π sin² θ / (4 π sin² θ / 4) = 1 of its radiance, as it should, and a small one is as GGX has it.
-//! Patches, which lie side by side, are blurred by sin² θ: less would leave them single spots, and together they give as much.
+//! α² + sin² θ / (4 h · v), θ its angular radius: h turns half as far as l does within the plane of both, and half as far over h · v
+//! across it. A light in the mirrored direction that is much larger than the lobe then gives all of its radiance, as it should, and a small
+//! one is as GGX has it.
+//! Patches, which lie side by side, are blurred by sin² θ / h · v: less would leave them single spots, and together they give as much.
 //! So highlights are sharp however low the order of light is. The environment is an SH vector and takes an SH lobe, the means
 //! of P_l over the true one ([`Routines::gloss_lobe`]) about its axis.
 
-use super::accumulate::{dot, each};
+use super::vectors::{dot, each};
 use sh_core::constants::{FACING, NEAREST, SMOOTHEST};
 use sh_core::{Lane, Routines};
 
@@ -107,7 +108,7 @@ impl<L: Lane> Gloss<L> {
     }
 
     /// What of a light is mirrored, over what is reflected diffusely at albedo 1: π D V / E. The light lies in a direction of
-    /// which the cosines with the normal and with the view are given, and what its size adds to α².
+    /// which the cosines with the normal and with the view are given, and what its size adds to α², over h · v.
     #[inline(always)]
     pub(crate) fn mirrors(&self, height: L, along: L, size: L) -> L {
         let (zero, one) = (height.lift(0.0), height.lift(1.0));
@@ -115,9 +116,10 @@ impl<L: Lane> Gloss<L> {
         let facing = self.facing;
         // (n · h)², of h = l + v, whose length squared is 2 + 2 l · v.
         let both = height + facing;
-        let two = along + along + one.lift(2.0);
-        let half = (both * both / two.max(one.lift(NEAREST))).min(one);
-        let wide = (size + self.square).min(one);
+        let two = (along + along + one.lift(2.0)).max(one.lift(NEAREST));
+        let half = (both * both / two).min(one);
+        // h · v is half of that length.
+        let wide = (size * one.lift(2.0) / two.sqrt() + self.square).min(one);
         let fall = half.mul_add(wide - one, one);
         let rest = one - self.square;
         let from = rest.mul_add(facing * facing, self.square).sqrt();

@@ -13,11 +13,12 @@
 //!
 //! Only spheres whose discs may meet somewhere in the cluster are looked at, of which there are few.
 
-use super::accumulate::{Point, dot};
+use super::accumulate::Point;
 use super::emission::Emission;
 use super::light_cut::{ALWAYS, LightCut, Met};
 use super::light_sent::At;
 use super::order::share;
+use super::vectors::dot;
 use sh_core::constants::{
     ANGLE_CONSTANT, ANGLE_CUBIC, ANGLE_LINEAR, ANGLE_SQUARE, ANGLES_ERR, ROOM,
 };

@@ -1,10 +1,11 @@
 //! What spheres send to receivers.
 
-use super::accumulate::{Point, each, look, seen_from};
+use super::accumulate::{Point, look, seen_from};
 use super::emission::Emission;
 use super::light::reflected;
 use super::light_cut::Met;
 use super::order::power;
+use super::vectors::each;
 use sh_core::seen::Seen;
 use sh_core::{Lane, Routines};
 

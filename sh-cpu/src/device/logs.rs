@@ -1,6 +1,6 @@
 //! Logarithms of circles' visibilities, band by band.
 
-use super::accumulate::dot;
+use super::vectors::dot;
 use sh_core::{Lane, Routines};
 
 /// Which logarithm of a circle's visibility is summed.

@@ -28,3 +28,4 @@ pub(crate) mod patches;
 pub(crate) mod ratio;
 pub(crate) mod rays;
 pub(crate) mod spherical_lights;
+pub(crate) mod vectors;

@@ -1,6 +1,6 @@
 //! In which order spheres hide each other: [`sh_scene::order`], in lanes.
 
-use super::accumulate::dot;
+use super::vectors::dot;
 use sh_core::Lane;
 
 /// The power of receivers against a sphere whose centre is so far `away` from them: [`sh_scene::order::Ball::power`].

@@ -1,8 +1,9 @@
 //! What nearer spheres leave of a disc in the sky: each covers a share of it, by how far their edges overlap, and shares
 //! that are left multiply.
 
-use super::accumulate::{Point, dot, each, look, seen_from};
+use super::accumulate::{Point, look, seen_from};
 use super::patch_lights::Placed;
+use super::vectors::{dot, each};
 use sh_core::constants::{NEAREST, ROOM};
 use sh_core::{Lane, Routines};
 use sh_scene::Blocker;

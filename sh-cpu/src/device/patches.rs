@@ -29,11 +29,12 @@
 //! What a body gives itself is told by its functions ([`sh_scene::IrradianceBasis::bounced`]). A receiver on it takes
 //! what is told at the patches around, by how near they are and how much they face the same way.
 
-use super::accumulate::{Point, dot, each};
+use super::accumulate::Point;
 use super::gloss::Gloss;
 use super::patch_cut::{Part, PatchCut};
 use super::patch_hiding::{Cone, Hidden, left, may_hide, see, world};
 use super::patch_lights::{Lit, PatchLights, Placed};
+use super::vectors::{dot, each};
 use sh_core::constants::{
     ASKEW, BEHIND, ENTIRE, JOINED, LIFTED, NEAREST, QUARTERS, REFINED, REGION_PATCHES, ROOM, SPLIT,
     WITHIN,
