@@ -9,7 +9,9 @@ use ball_basis::ball_basis;
 use bytemuck::Zeroable;
 use common::{Random, object, scene, sphere_mesh};
 use glam::{Affine3A, Vec3, vec3};
-use sh_cpu::{Error, Frame, Frames, Gbuffer, Geometry, gbuffer, invalid, render, resolve};
+use sh_cpu::{
+    Error, Frame, Frames, Gbuffer, Geometry, SampleLight, gbuffer, invalid, render, resolve,
+};
 use sh_scene::passes::{GBUFFER, RESOLVE, SHADOW};
 use sh_scene::passes::{INVALID_SAMPLES, InvalidSamples};
 use sh_scene::surface::{SurfacePoint, directions};
@@ -244,7 +246,7 @@ fn the_worst_of_three_channels_counts() {
     };
     let samples = Gbuffer {
         receivers: vec![seen; tiles.len()],
-        albedo: vec![[0.5; 3]; tiles.len()],
+        albedo: vec![[0.5; 4]; tiles.len()],
     };
     let (nan, infinity) = (f32::NAN, f32::INFINITY);
     for (radiance, found) in [
@@ -314,7 +316,11 @@ fn receivers_of_ones_own_are_lit_as_in_a_picture() {
         .collect();
     let mut pixels = vec![[0.0; 3]; picture.pixels.len()];
     let map = &scene.environment;
-    resolve(&view, 0..tiles.rows, &samples, &radiance, map, &mut pixels).unwrap();
+    let lit = SampleLight {
+        radiance: &radiance,
+        mirrored: None,
+    };
+    resolve(&view, 0..tiles.rows, &samples, lit, map, &mut pixels).unwrap();
     assert_eq!(pixels, picture.pixels);
     // The plan of a picture lights no receivers of one's own, and clusters have to hold them all.
     let wrong = frames.light(&scene, &Plan::new(&scene), &samples.receivers, &[]);
