@@ -109,7 +109,7 @@ fn transfer_of(sum: array<f32, $B>, normal: vec3f) -> array<f32, $C> {
 
 // The same for what is mirrored.
 fn mirrored_of(sum: array<f32, $B>, gloss: Gloss) -> array<f32, $C> {
-    let bands = sh$A_gloss_lobe(gloss.roughness, gloss.facing);
+    let bands = sh$A_gloss_lobe(gloss.told, gloss.facing);
     return lower(sh$A_transfer_lobe(sh$A_accumulated_log(sum), gloss.axis, bands));
 }
 

@@ -98,6 +98,16 @@ pub fn gloss_tilt(g: &mut Graph, roughness: Value, cosine: Value) -> Value {
     g.min(tilt, one)
 }
 
+/// The least roughness whose lobe, of which an order has but the lower bands, is nowhere below 0 by more than 3 % of its peak, for
+/// orders from 2 on (two bands are, whatever the lobe): of a smoother one a sun would have dark rings.
+const TOLD: [f64; 5] = [1.0, 0.88, 0.72, 0.6, 0.59];
+
+/// The roughness in whose place light of an order has this one.
+pub fn gloss_told(g: &mut Graph, order: usize, roughness: Value) -> Value {
+    let least = g.constant(TOLD[order - 2]);
+    g.max(roughness, least)
+}
+
 /// The mean of P_l over a polished surface's lobe, about its axis.
 pub fn gloss_lobe(g: &mut Graph, order: usize, roughness: Value, cosine: Value) -> Vec<Value> {
     let one = g.constant(1.0);

@@ -405,6 +405,15 @@ pub const ROUTINES: &[Routine] = &[
         build: |g, n, a| fits::gloss_lobe(g, n, a[0][0], a[1][0]),
     },
     Routine {
+        name: "gloss_told",
+        doc: "The roughness in whose place light of this order has `roughness`: a smoother lobe, cut off after the order's bands, would be below 0 beside its peak by more than 3 % of that, and show dark rings around a sun. At least 1, 0.88, 0.72, 0.6 and 0.59 for orders 2 to 6.",
+        source: "`tests/tests/fitted.rs` holds it to the lobes.",
+        example: "assert_eq!(<[f64; 16]>::gloss_told(0.1), 0.72);\nassert_eq!(<[f64; 16]>::gloss_told(0.9), 0.9);",
+        arguments: &[("roughness", Shape::Scalar)],
+        result: Shape::Scalar,
+        build: |g, n, a| vec![fits::gloss_told(g, n, a[0][0])],
+    },
+    Routine {
         name: "gloss_tilt",
         doc: "How far the lobe of `gloss_lobe` leans: the sine between its axis and the normal, over that of the mirrored direction. 1 for a mirror; rough surfaces send light closer to their normal. Fitted to 0.013.",
         source: "The mean of the directions of GGX's lobe (Walter et al. 2007); `gaunt-lab fit` rewrites the coefficients.",

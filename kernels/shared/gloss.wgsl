@@ -10,7 +10,8 @@
 struct Gloss {
     // The unit vector to the eye.
     view: vec3f,
-    roughness: f32,
+    // The roughness of the lobe that the order of the light can tell.
+    told: f32,
     // The middle of the lobe.
     axis: vec3f,
     // The cosine of normal and view.
@@ -40,12 +41,13 @@ fn gloss_of(receiver: Receiver, eye: vec3f) -> Gloss {
     let along = dot(view, receiver.normal);
     let facing = facing_of(along);
     let roughness = roughness_of(receiver);
+    let told = sh$N_gloss_told(roughness);
     // Away from the eye in the plane of the surface, as long as the sine.
-    let aside = (along * receiver.normal - view) * sh$N_gloss_tilt(roughness, facing);
+    let aside = (along * receiver.normal - view) * sh$N_gloss_tilt(told, facing);
     let up = sqrt(max(1.0 - dot(aside, aside), 0.0));
     let alpha = max(roughness * roughness, SMOOTHEST);
     let energy = sh$N_gloss_energy(roughness, facing).x;
-    return Gloss(view, roughness, up * receiver.normal + aside, facing, alpha * alpha, 1.0 / energy);
+    return Gloss(view, told, up * receiver.normal + aside, facing, alpha * alpha, 1.0 / energy);
 }
 
 // The lobe in which a receiver reflects light, as an SH vector.
@@ -54,7 +56,7 @@ fn lobe_of(receiver: Receiver, gloss: Gloss) -> array<f32, $C> {
         return sh$N_cosine(receiver.normal);
     }
     var lobe = sh$N_basis(gloss.axis);
-    let bands = sh$N_gloss_lobe(gloss.roughness, gloss.facing);
+    let bands = sh$N_gloss_lobe(gloss.told, gloss.facing);
     for (var l = 0u; l < $Nu; l += 1u) {
         for (var i = l * l; i < (l + 1u) * (l + 1u); i += 1u) {
             lobe[i] *= bands[l];

@@ -89,6 +89,7 @@ pub const PROMISES: &[Promise] = &[
     promise("transfer", f32::MAX, Poison::Bounded(0.85)).accurate_to(COMPRESSED),
     promise("transfer_lobe", f32::MAX, Poison::Bounded(17.0)).accurate_to(COMPRESSED),
     promise("gloss_lobe", 1.0, Poison::Bounded(3.0)),
+    promise("gloss_told", 1.0, Poison::Bounded(2.0)),
     promise("gloss_tilt", 1.0, Poison::Bounded(1.0)),
     promise("gloss_energy", 1.0, Poison::Bounded(1.5)),
     promise("horizon_radius", 1.0, Poison::Bounded(3.0)),

@@ -173,6 +173,34 @@ fn linear_factors_of_small_norms_are_those_of_circles() {
     every_order!(check);
 }
 
+/// What an order tells of a lobe is nowhere far below 0, from order 3 on; of one that is a fifth smoother it would be. (Two bands are,
+/// whatever the lobe: those of the cosine by a third.)
+#[test]
+fn no_order_is_asked_for_a_lobe_that_rings() {
+    fn told<const C: usize>() -> f64
+    where
+        [f64; C]: Routines<f64>,
+    {
+        <[f64; C]>::gloss_told(0.0)
+    }
+    assert_eq!(told::<4>(), 1.0);
+    let all = [told::<9>(), told::<16>(), told::<25>(), told::<36>()];
+    for (order, told) in (3..).zip(all) {
+        let lowest = |roughness: f64| {
+            let bands = <[f64; 36]>::gloss_lobe(roughness, 0.8);
+            let zonal: Vec<f64> = (0..order)
+                .map(|l| bands[l] * ((2 * l + 1) as f64 / (4.0 * std::f64::consts::PI)).sqrt())
+                .collect();
+            let values = (0..=400).map(|i| f64::from(i) / 200.0 - 1.0);
+            let values = values.map(|t| reference::zonal::evaluate(&zonal, t));
+            values.fold(0.0, f64::min) / reference::zonal::evaluate(&zonal, 1.0)
+        };
+        let (here, smoother) = (lowest(told), lowest(0.8 * told));
+        println!("order {order}: {here:.4} of the peak, {smoother:.4} if it were smoother");
+        assert!(here > -0.045 && smoother < -0.045, "order {order}");
+    }
+}
+
 /// The lobe of a polished surface: what it mirrors, where it points and how wide it is, from roughness .1 on and from cosine .1 on.
 /// (A mirror's lobe in the place of that of roughness 1 would miss band 1 by .3 and the energy by .6; an axis in the mirrored direction
 /// would miss the tilt by 1.)

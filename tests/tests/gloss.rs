@@ -1,5 +1,6 @@
 //! What polished receivers mirror, against sums over the lobe that their facets make.
 
+use sh_core::Routines;
 use sh_cpu::{Cuts, Path, Shadow, shadow_clusters};
 use sh_reference::gloss::Gloss;
 use sh_scene::{AreaLight, AreaShape, Finish, Light, Receiver, Sphere};
@@ -75,8 +76,8 @@ fn seen(place: &Place, spheres: &[Sphere], light: &Light) -> [f32; 3] {
     radiance[0]
 }
 
-/// The environment in the open: the sum over the true lobe, which is not even about its axis. (A lobe about the mirrored direction
-/// itself misses by .1 from roughness .7 on, and one of roughness .5 in the place of .3 by .05.)
+/// The environment in the open: the sum over the true lobe, which is not even about its axis, of the smoothest surface that the order
+/// can tell. (A lobe about the mirrored direction itself misses by .1 from roughness .7 on.)
 #[test]
 fn the_open_sky_is_seen_through_the_lobe() {
     let light = sky();
@@ -85,10 +86,11 @@ fn the_open_sky_is_seen_through_the_lobe() {
     let mut squares = [0.0; 4];
     for (k, roughness) in [0.1, 0.3, 0.6, 1.0].into_iter().enumerate() {
         for step in 1..=9 {
-            let place = place(roughness, f64::from(step) / 10.0);
+            let facing = f64::from(step) / 10.0;
             let sum = |d: [f64; 3]| sh_reference::basis::evaluate(&channel, d);
-            let truth = place.gloss.sum(sum) / place.gloss.energy();
-            let found = f64::from(seen(&place, &[], &light)[1]);
+            let told = place(<[f32; 16]>::gloss_told(roughness), facing).gloss;
+            let truth = told.sum(sum) / told.energy();
+            let found = f64::from(seen(&place(roughness, facing), &[], &light)[1]);
             squares[k] += (found - truth).powi(2) / 9.0;
         }
     }
@@ -129,34 +131,36 @@ fn lamps_are_highlights_as_sharp_as_the_lobe() {
     }
 }
 
-/// A sphere in the mirrored direction hides what a smooth surface mirrors, and leaves it alone on the other side; between are those
-/// that are rough.
+/// A sphere in the mirrored direction hides what is mirrored, and one in that of the eye hardly any of it: as much as it covers of the
+/// lobe. (An order of 6 that is asked for a mirror would have both ring.)
 #[test]
 fn what_hides_the_mirrored_direction_hides_what_is_mirrored() {
     let light = sky();
-    for roughness in [0.1, 0.3] {
+    let channel: Vec<f64> = light.coefficients.iter().map(|c| f64::from(c[1])).collect();
+    for roughness in [0.1, 0.72, 1.0] {
         let place = place(roughness, 0.6);
-        let at = |side: f64| {
-            let [x, y, z] = [0, 1, 2].map(|k| {
-                let away = place.mirrored[k] * side;
-                let normal = f64::from(place.receiver.normal[k]);
-                // The mirrored direction, or that of the eye.
-                let back = 2.0 * 0.6 * normal - place.mirrored[k];
-                let towards = if side > 0.0 { away } else { back };
-                place.receiver.position[k] + 3.0 * towards as f32
-            });
-            Sphere {
-                center: [x, y, z],
-                radius: 1.6,
-            }
-        };
-        let open = seen(&place, &[], &light)[1];
-        let [hidden, beside] = [1.0, -1.0].map(|side| seen(&place, &[at(side)], &light)[1] / open);
-        println!("{roughness}: {hidden} {beside}");
-        assert!(
-            hidden < 0.45 && beside > 0.85,
-            "{roughness}: {hidden} {beside}"
-        );
+        let told = self::place(<[f32; 16]>::gloss_told(roughness), 0.6).gloss;
+        let back = [0, 1, 2].map(|k| 1.2 * f64::from(place.receiver.normal[k]) - place.mirrored[k]);
+        for (towards, sine) in [(place.mirrored, 0.53), (back, 0.53), (place.mirrored, 0.75)] {
+            let center = [0, 1, 2].map(|k| place.receiver.position[k] + 3.0 * towards[k] as f32);
+            let sphere = Sphere {
+                center,
+                radius: 3.0 * sine as f32,
+            };
+            let cosine = f64::sqrt(1.0 - sine * sine);
+            let sum = |d: [f64; 3]| {
+                let along = (0..3).map(|k| d[k] * towards[k]).sum::<f64>();
+                match along > cosine {
+                    true => 0.0,
+                    false => sh_reference::basis::evaluate(&channel, d),
+                }
+            };
+            let open = f64::from(seen(&place, &[], &light)[1]);
+            let truth = told.sum(sum) / told.energy() / open;
+            let found = f64::from(seen(&place, &[sphere], &light)[1]) / open;
+            println!("{roughness}, {sine}: {found:.3} of {truth:.3}");
+            assert!((found - truth).abs() < 0.1, "{roughness}: {found} {truth}");
+        }
     }
 }
 

@@ -17,7 +17,8 @@
 //! one is as GGX has it.
 //! Patches, which lie side by side, are blurred by sin² θ / h · v: less would leave them single spots, and together they give as much.
 //! So highlights are sharp however low the order of light is. The environment is an SH vector and takes an SH lobe, the means
-//! of P_l over the true one ([`Routines::gloss_lobe`]) about its axis.
+//! of P_l over the true one ([`Routines::gloss_lobe`]) about its axis; of a surface that is smoother than the order can tell, those of the
+//! smoothest that it can ([`Routines::gloss_told`]).
 
 use super::vectors::{dot, each};
 use sh_core::constants::{FACING, NEAREST, SMOOTHEST};
@@ -28,7 +29,8 @@ use sh_core::{Lane, Routines};
 pub struct Gloss<L> {
     /// The unit vector to the eye.
     pub(crate) view: [L; 3],
-    roughness: L,
+    /// That of the lobe that the order of the light can tell.
+    told: L,
     /// α².
     square: L,
     /// n · v, at least [`FACING`].
@@ -40,10 +42,16 @@ pub struct Gloss<L> {
 }
 
 impl<L: Lane> Gloss<L> {
-    /// Of receivers at a position with a unit normal, seen from `eye`.
+    /// Of receivers at a position with a unit normal, seen from `eye`, under light of `C` coefficients.
     #[inline(always)]
-    pub(crate) fn new(position: [L; 3], normal: [L; 3], eye: [L; 3], roughness: L) -> Self
+    pub(crate) fn new<const C: usize>(
+        position: [L; 3],
+        normal: [L; 3],
+        eye: [L; 3],
+        roughness: L,
+    ) -> Self
     where
+        [L; C]: Routines<L>,
         [L; 4]: Routines<L>,
     {
         let (one, least) = (roughness.lift(1.0), roughness.lift(FACING));
@@ -58,7 +66,8 @@ impl<L: Lane> Gloss<L> {
         );
         let along = dot(view, normal);
         let facing = along.max(least).min(one);
-        let tilt = <[L; 4]>::gloss_tilt(roughness, facing);
+        let told = <[L; C]>::gloss_told(roughness);
+        let tilt = <[L; 4]>::gloss_tilt(told, facing);
         // Away from the eye in the plane of the surface, as long as the sine.
         let aside = each(
             #[inline(always)]
@@ -73,7 +82,7 @@ impl<L: Lane> Gloss<L> {
         let [energy, _] = <[L; 4]>::gloss_energy(roughness, facing);
         Self {
             view,
-            roughness,
+            told,
             square: alpha * alpha,
             facing,
             axis,
@@ -88,7 +97,7 @@ impl<L: Lane> Gloss<L> {
         [L; C]: Routines<L>,
     {
         let mut lobe = <[L; C]>::basis(self.axis);
-        let bands = <[L; C]>::gloss_lobe(self.roughness, self.facing);
+        let bands = <[L; C]>::gloss_lobe(self.told, self.facing);
         for (l, band) in bands.as_ref().iter().enumerate() {
             for y in &mut lobe[l * l..(l + 1) * (l + 1)] {
                 *y = *y * *band;
@@ -103,7 +112,7 @@ impl<L: Lane> Gloss<L> {
     where
         [L; C]: Routines<L>,
     {
-        let bands = <[L; C]>::gloss_lobe(self.roughness, self.facing);
+        let bands = <[L; C]>::gloss_lobe(self.told, self.facing);
         log.transfer_lobe(self.axis, bands)
     }
 

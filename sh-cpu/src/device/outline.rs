@@ -162,7 +162,7 @@ macro_rules! routines {
             $enter(
                 roughness,
                 #[inline(always)]
-                || Gloss::new(position, normal, eye, roughness),
+                || Gloss::new::<$c>(position, normal, eye, roughness),
             )
         }
 

@@ -3,6 +3,7 @@
 use super::passes::SHADOW;
 use super::{Domain, Entry, LeftOut, Resource, Run};
 use crate::{BasisBody, Method, Object, Scene, Settings};
+use sh_core::{Routines, for_order};
 
 /// What of a scene and its settings decides about passes and shaders.
 pub struct Facts<'a> {
@@ -286,10 +287,15 @@ fn polished(object: &&Object) -> bool {
     object.material.is_glossy() && !object.mesh.triangles.is_empty()
 }
 
-/// The roughness whose lobe, seen nearly from the front, leaves a third of the last band of an order: smoother surfaces would mirror what
-/// light of that order does not have.
+/// The roughness of the sharpest lobe that light of an order tells.
 fn sharpest(order: usize) -> f32 {
-    [1.0, 0.72, 0.54, 0.47, 0.42][order.clamp(2, 6) - 2]
+    fn told<const C: usize>() -> f32
+    where
+        [f32; C]: Routines<f32>,
+    {
+        <[f32; C]>::gloss_told(0.0)
+    }
+    for_order!(order, C => told::<C>(), else => 1.0)
 }
 
 /// "1 object", "3 objects".
