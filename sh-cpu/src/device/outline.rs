@@ -61,8 +61,8 @@ where
         roughness: Self,
     ) -> Gloss<Self>;
 
-    /// The first `N` coefficients of what of that is seen past all blockers of such a sum.
-    fn mirrored<const N: usize>(sum: &[Self; C], gloss: &Gloss<Self>) -> [Self; N];
+    /// What of that is seen past all blockers of such a sum.
+    fn mirrored(sum: &[Self; C], gloss: &Gloss<Self>) -> [Self; C];
 
     /// Radiance in three channels that `emitters` give through `transfer`, each between 0 and what it gives through
     /// `open`. Bit i of `dark` says that emitter i gives nothing.
@@ -167,11 +167,11 @@ macro_rules! routines {
         }
 
         #[$inline]
-        fn mirrored<const N: usize>(sum: &[Self; $c], gloss: &Gloss<Self>) -> [Self; N] {
+        fn mirrored(sum: &[Self; $c], gloss: &Gloss<Self>) -> [Self; $c] {
             $enter(
                 sum[0],
                 #[inline(always)]
-                || first(&gloss.transfer(&sum.accumulated_log())),
+                || gloss.transfer(&sum.accumulated_log()),
             )
         }
 

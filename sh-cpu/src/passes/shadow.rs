@@ -322,7 +322,11 @@ fn accumulated<L: Outline<A>, const A: usize, const C: usize>(
         own(lamp, &L::transfer(&parted, point.normal));
     }
     if let Some(gloss) = &point.gloss {
-        *mirrored = L::mirrored(&sum, gloss);
+        // All of its bands, compiled once for every order of the light.
+        let all = L::mirrored(&sum, gloss);
+        for (mirrored, all) in mirrored.iter_mut().zip(all) {
+            *mirrored = all;
+        }
     }
     if point.gloss.is_none() || !lamps.light.emitters.is_empty() {
         *transfer = L::transfer(&sum, point.normal);
