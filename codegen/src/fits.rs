@@ -104,8 +104,9 @@ const TOLD: [f64; 5] = [1.0, 0.88, 0.72, 0.6, 0.59];
 
 /// The roughness in whose place light of an order has this one.
 pub fn gloss_told(g: &mut Graph, order: usize, roughness: Value) -> Value {
-    let least = g.constant(TOLD[order - 2]);
-    g.max(roughness, least)
+    let (least, most) = (g.constant(TOLD[order - 2]), g.constant(1.0));
+    let told = g.max(roughness, least);
+    g.min(told, most)
 }
 
 /// The mean of P_l over a polished surface's lobe, about its axis.

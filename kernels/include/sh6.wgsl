@@ -17118,10 +17118,11 @@ fn sh6_gloss_lobe(roughness: f32, cosine: f32) -> array<f32, 6> {
 // would be below 0 beside its peak by more than 3 % of that, and show dark rings around a sun. At least 1, 0.88, 0.72,
 // 0.6 and 0.59 for orders 2 to 6.
 // Source: `tests/tests/fitted.rs` holds it to the lobes.
-// 0 multiplications, 1 additions.
+// 0 multiplications, 2 additions.
 fn sh6_gloss_told(roughness: f32) -> f32 {
-    let t2 = max(roughness, 0.59);
-    return t2;
+    let t3 = max(roughness, 0.59);
+    let t4 = min(t3, 1.0);
+    return t4;
 }
 
 // How far the lobe of `gloss_lobe` leans: the sine between its axis and the normal, over that of the mirrored

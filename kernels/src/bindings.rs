@@ -9,7 +9,7 @@
 /// let entries = sh_kernels::Pass::Irradiance.entries();
 /// let [irradiance] = entries else { panic!("it has one") };
 /// let names: Vec<_> = irradiance.bindings.iter().map(|binding| binding.name).collect();
-/// assert_eq!(names, ["lighting", "emitters", "receivers", "radiance"]);
+/// assert_eq!(names, ["lighting", "emitters", "eye", "receivers", "radiance"]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EntryPoint {

@@ -216,11 +216,21 @@ impl Bare {
             .map(|first| [first, Tiles::AREA as u32])
             .collect();
         let runs = gpu.buffer(&runs);
-        let group = |index: u32, buffers: [&Buffer; 3]| {
-            let entries = [0, 1, 2].map(|binding| wgpu::BindGroupEntry {
-                binding,
-                resource: buffers[binding as usize].as_entire_binding(),
-            });
+        // From where what is mirrored is seen: nothing is.
+        let eye = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("bare"),
+            size: 16,
+            usage: wgpu::BufferUsages::UNIFORM,
+            mapped_at_creation: false,
+        });
+        let group = |index: u32, buffers: &[&Buffer]| {
+            let entries: Vec<_> = (0..)
+                .zip(buffers)
+                .map(|(binding, buffer)| wgpu::BindGroupEntry {
+                    binding,
+                    resource: buffer.as_entire_binding(),
+                })
+                .collect();
             gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("bare"),
                 layout: &pipeline.get_bind_group_layout(index),
@@ -229,8 +239,8 @@ impl Bare {
         };
         Self {
             groups: [
-                group(0, [&lighting, &emitters, &nodes]),
-                group(1, [receivers, &runs, radiance]),
+                group(0, &[&lighting, &emitters, &nodes, &eye]),
+                group(1, &[receivers, &runs, radiance]),
             ],
             pipeline,
             lighting,

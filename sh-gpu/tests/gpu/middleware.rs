@@ -537,6 +537,6 @@ pub fn pipelines_are_shared(gpu: &Gpu) {
     LightGatherPass::new(&gpu.device, &shadow, Blocking::Runs).unwrap();
     LightGatherPass::new(&gpu.device, &shadow, Blocking::Object).unwrap();
     assert_eq!(made(), (4, 6), "three methods of one module");
-    // 96 bytes a blocker; a record, and 16 emitters.
-    assert_eq!(shadow.bytes(), 9 * 96 + 592 + 16 * 640);
+    // 96 bytes a blocker; a record, an eye, and 16 emitters.
+    assert_eq!(shadow.bytes(), 9 * 96 + 592 + 16 + 16 * 640);
 }

@@ -245,7 +245,11 @@ fn camera_and_body_are_laid_out_alike() {
         Body {
             world_from_object,
             albedo,
-            object
+            object,
+            glossy,
+            roughness,
+            metallic,
+            tail
         }
     );
 }

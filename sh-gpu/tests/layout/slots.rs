@@ -10,13 +10,17 @@ use sh_scene::{
 };
 
 /// What passes are bound to that is nobody else's: kernel, what it calls it, and what it is.
-const PRIVATE: [(&str, &str, &str); 13] = [
+const PRIVATE: [(&str, &str, &str); 17] = [
     ("gbuffer", "band", "the part of the picture at hand"),
     ("gbuffer", "places", "what was drawn, before it is packed"),
     ("gbuffer", "surfaces", "what was drawn, before it is packed"),
     ("resolve", "band", "the part of the picture at hand"),
     ("upsample", "band", "the part of the picture at hand"),
     ("upsample", "rule", "constants"),
+    ("irradiance", "eye", "from where what is mirrored is seen"),
+    ("shadow", "eye", "from where what is mirrored is seen"),
+    ("light_gather", "eye", "from where what is mirrored is seen"),
+    ("basis_gather", "eye", "from where what is mirrored is seen"),
     (
         "light_gather",
         "lighting",

@@ -158,7 +158,7 @@ const fn given(
 pub const SURFACES: Resource = given(
     "surfaces",
     "mesh, transform and texture",
-    &["body", "base_color"],
+    &["body", "base_color", "finish"],
 );
 
 /// Spheres that block light, in world space, as the leaves of a tree: [`crate::Forest`].

@@ -416,7 +416,9 @@ fn shaders_are_those_of_the_passes() {
     }
     let text: Vec<_> = plan.shaders.iter().map(Shader::to_string).collect();
     assert!(
-        text.contains(&"shadow, order 4, without LAMPS, without DISTRIBUTIONS".to_string()),
+        text.contains(
+            &"shadow, order 4, without LAMPS, without DISTRIBUTIONS, without GLOSS".to_string()
+        ),
         "{text:?}"
     );
     assert!(
