@@ -33,7 +33,11 @@ fn irradiance(
     if (is_lit(receiver)) {
         let gloss = gloss_of(receiver, eye.xyz);
         let lobe = sh$N_cosine(receiver.normal);
-        result = max(reflected(lobe_of(receiver, gloss)), vec3f(0.0));
+        var reflecting = lobe;
+        if (GLOSS) {
+            reflecting = lobe_of(receiver, gloss);
+        }
+        result = max(reflected(reflecting), vec3f(0.0));
         result += unshadowed_lamps(lobe, receiver, gloss);
     }
     radiance[index] = vec4f(result, 0.0);

@@ -56,23 +56,15 @@ fn of_gloss(g: &mut Graph, name: &[&str], roughness: Value, cosine: Value) -> Va
         let v = g.min(v, one);
         g.mul_add(two, v, minus_one)
     });
-    let mut sum = None;
-    for power in (0..)
-        .map_while(|power: usize| {
-            let power = power.to_string();
-            rows(GLOSS, &[name, &[&power]].concat()).pop()
-        })
-        .collect::<Vec<_>>()
-        .iter()
-        .rev()
-    {
-        let along = g.horner(power, y);
-        sum = Some(match sum {
-            Some(sum) => g.mul_add(sum, x, along),
-            None => along,
-        });
+    // Rows begin with their power of x.
+    let mut powers = rows(GLOSS, name).into_iter().rev();
+    let highest = powers.next().expect("gloss.txt has all of its numbers");
+    let mut sum = g.horner(&highest[1..], y);
+    for row in powers {
+        let along = g.horner(&row[1..], y);
+        sum = g.mul_add(sum, x, along);
     }
-    sum.expect("gloss.txt has all of its numbers")
+    sum
 }
 
 /// What a polished surface's lobe mirrors of an even sky, and the part of it that grows with Fresnel's reflectance at

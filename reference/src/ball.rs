@@ -11,7 +11,12 @@ use crate::quadrature::gauss_legendre;
 const NODES: usize = 200;
 
 /// P_l(x).
-fn legendre(band: usize, x: f64) -> f64 {
+///
+/// ```
+/// // (3 x² − 1) / 2
+/// assert!((sh_reference::ball::legendre(2, 0.5) + 0.125).abs() < 1e-15);
+/// ```
+pub fn legendre(band: usize, x: f64) -> f64 {
     let (mut before, mut now) = (0.0, 1.0);
     for l in 0..band {
         let l = l as f64;

@@ -396,8 +396,7 @@ impl Gather {
     ) -> Result<Self, Error> {
         let of = (Pass::BasisGather, inputs.order, inputs.order);
         let kernel = |own: bool, gloss: bool| {
-            let flag = |on: bool| f64::from(u8::from(on));
-            let constants = [("OWN_LIGHT", flag(own)), ("GLOSS", flag(gloss))];
+            let constants = [("OWN_LIGHT", own), ("GLOSS", gloss)];
             inputs.pipelines.specialised(of, "gather", &constants)
         };
         let seen = kernel(true, false)?;

@@ -60,7 +60,7 @@ impl IrradiancePass {
             let lit = Lit::new(device, order, max_emitters, distributions)?;
             let of = (Pass::Irradiance, order, order);
             let [lamps, uneven] = lit.lamps();
-            let constants = [lamps, uneven, ("GLOSS", f64::from(u8::from(gloss)))];
+            let constants = [lamps, uneven, ("GLOSS", gloss)];
             let kernel = pipelines.specialised(of, "irradiance", &constants)?;
             let [record, emitters] = lit.bindings();
             let group = kernel.own(device, &[record, emitters, lit.eye()]);

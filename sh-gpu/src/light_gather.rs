@@ -40,8 +40,6 @@ use wgpu::{
 #[derive(Debug)]
 pub struct LightGatherPass {
     kernel: Arc<Kernel>,
-    /// What adds to what receivers mirror, where that is asked for.
-    gloss: Option<Arc<Kernel>>,
     group: BindGroup,
     members: Buffer,
     emission: Buffer,
@@ -56,16 +54,11 @@ impl LightGatherPass {
     /// 16 (n² + 1) + 8 bytes a node at order n. [`Blocking::Sphere`] gives what [`Blocking::Runs`] does, in the same
     /// time.
     pub fn new(device: &Device, shadow: &ShadowPass, blocking: Blocking) -> Result<Self, Error> {
-        Self::of(device, &shadow.inputs, blocking, false)
+        Self::of(device, &shadow.inputs, blocking)
     }
 
-    /// With light and blockers that other passes read as well, for receivers that mirror light, too, if there are any.
-    pub(crate) fn of(
-        device: &Device,
-        inputs: &Inputs,
-        blocking: Blocking,
-        gloss: bool,
-    ) -> Result<Self, Error> {
+    /// With light and blockers that other passes read as well.
+    pub(crate) fn of(device: &Device, inputs: &Inputs, blocking: Blocking) -> Result<Self, Error> {
         checked(device, || {
             let order = inputs.order;
             let max_nodes = inputs.max_blockers.saturating_mul(2);
@@ -76,41 +69,52 @@ impl LightGatherPass {
             let open = storage | BufferUsages::COPY_SRC;
             let emission = buffer(device, "gaunt emission", emission, open);
             let members = buffer(device, "gaunt members", members, storage);
-            let name = match blocking {
-                Blocking::Discs => "gather_discs",
-                Blocking::Runs | Blocking::Sphere | Blocking::Object => "gather_sums",
-            };
-            let of = (Pass::LightGather, order, order);
-            let by_bodies = f64::from(u8::from(blocking == Blocking::Object));
-            let made = |gloss: bool| {
-                let gloss = ("GLOSS", f64::from(u8::from(gloss)));
-                let constants: &[_] = match blocking {
-                    Blocking::Discs => &[gloss],
-                    _ => &[("BY_BODIES", by_bodies), gloss],
-                };
-                inputs.pipelines.specialised(of, name, constants)
-            };
-            let kernel = made(false)?;
-            let [lighting, _] = inputs.lit.bindings();
-            let own = [
-                lighting,
-                inputs.tree(),
-                ("members", members.as_entire_binding()),
-                ("emission", emission.as_entire_binding()),
-                inputs.lit.eye(),
-            ];
-            let group = kernel.own(device, &own);
-            Ok(Self {
-                kernel,
-                gloss: gloss.then(|| made(true)).transpose()?,
-                group,
-                members,
-                emission,
-                max_nodes,
-                blocking,
-                kept: Kept::default(),
-                known: Known::default(),
-            })
+            Self::over(inputs, [members, emission], blocking, false)
+        })
+    }
+
+    /// For what receivers mirror: it reads what was prepared for this one.
+    pub(crate) fn for_gloss(&self, inputs: &Inputs) -> Result<Self, Error> {
+        let memory = [self.members.clone(), self.emission.clone()];
+        checked(inputs.pipelines.device(), || {
+            Self::over(inputs, memory, self.blocking, true)
+        })
+    }
+
+    /// Over the members of bodies, and what nodes send on.
+    fn over(
+        inputs: &Inputs,
+        [members, emission]: [Buffer; 2],
+        blocking: Blocking,
+        gloss: bool,
+    ) -> Result<Self, Error> {
+        let gloss = ("GLOSS", gloss);
+        let by_bodies = ("BY_BODIES", blocking == Blocking::Object);
+        let (name, constants): (_, &[_]) = match blocking {
+            Blocking::Discs => ("gather_discs", &[gloss]),
+            Blocking::Runs | Blocking::Sphere | Blocking::Object => {
+                ("gather_sums", &[by_bodies, gloss])
+            }
+        };
+        let of = (Pass::LightGather, inputs.order, inputs.order);
+        let kernel = inputs.pipelines.specialised(of, name, constants)?;
+        let [lighting, _] = inputs.lit.bindings();
+        let own = [
+            lighting,
+            inputs.tree(),
+            ("members", members.as_entire_binding()),
+            ("emission", emission.as_entire_binding()),
+            inputs.lit.eye(),
+        ];
+        Ok(Self {
+            group: kernel.own(inputs.pipelines.device(), &own),
+            kernel,
+            members,
+            emission,
+            max_nodes: inputs.max_blockers.saturating_mul(2),
+            blocking,
+            kept: Kept::default(),
+            known: Known::default(),
         })
     }
 
@@ -123,28 +127,6 @@ impl LightGatherPass {
         radiance: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
         bind_tiles(&self.kernel, device, receivers, written(radiance))
-    }
-
-    /// As [`bind`](Self::bind), for what receivers mirror.
-    pub(crate) fn bind_gloss(
-        &self,
-        device: &Device,
-        receivers: BufferBinding<'_>,
-        radiance: BufferBinding<'_>,
-    ) -> Result<Bound, Error> {
-        let kernel = self.gloss.as_ref().unwrap_or(&self.kernel);
-        bind_tiles(kernel, device, receivers, written(radiance))
-    }
-
-    /// Records one compute pass that adds what receivers of a cluster mirror of the light that spheres send.
-    pub(crate) fn record_gloss(
-        &self,
-        encoder: &mut CommandEncoder,
-        bound: &Bound,
-        timestamps: Option<ComputePassTimestampWrites<'_>>,
-    ) {
-        let kernel = self.gloss.as_ref().unwrap_or(&self.kernel);
-        kernel.record(encoder, (&self.group, &[]), bound, timestamps);
     }
 
     /// As [`bind`](Self::bind), with clusters of the host's.

@@ -49,13 +49,9 @@ impl Lit {
     }
 
     /// The override constants of kernels that know analytic lights: whether there may be any, and any that is not even.
-    pub fn lamps(&self) -> [(&'static str, f64); 2] {
+    pub fn lamps(&self) -> [(&'static str, bool); 2] {
         let any = self.max_emitters > 0;
-        let flag = |flag: bool| f64::from(u8::from(flag));
-        [
-            ("LAMPS", flag(any)),
-            ("DISTRIBUTIONS", flag(any && self.distributions)),
-        ]
+        [("LAMPS", any), ("DISTRIBUTIONS", any && self.distributions)]
     }
 
     /// Record and analytic lights, as kernels name them.

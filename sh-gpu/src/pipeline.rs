@@ -87,7 +87,7 @@ impl Kernel {
         shader: &ShaderModule,
         pass: Pass,
         name: &'static str,
-        constants: &[(&str, f64)],
+        constants: &[(&str, bool)],
     ) -> Result<Self, Error> {
         let label = format!("gaunt {name}");
         let [own, host] = Layout::of_kernel(device, pass, name);
@@ -97,13 +97,15 @@ impl Kernel {
             bind_group_layouts: &[Some(&own.layout), Some(&host.layout)],
             immediate_size: 0,
         });
+        let constants = constants.iter().map(|(name, on)| (*name, f64::from(*on)));
+        let constants: Vec<_> = constants.collect();
         let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: Some(&label),
             layout: Some(&layout),
             module: shader,
             entry_point: Some(name),
             compilation_options: wgpu::PipelineCompilationOptions {
-                constants,
+                constants: &constants,
                 // No kernel reads what it has not written.
                 zero_initialize_workgroup_memory: false,
             },

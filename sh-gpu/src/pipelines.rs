@@ -11,7 +11,7 @@ use wgpu::{Device, RenderPipeline, ShaderModule};
 pub(crate) type Specialisation = (Pass, usize, usize);
 
 /// A kernel of a module, and the bits of its overrides' values.
-type KernelKey = (Specialisation, &'static str, Vec<(&'static str, u64)>);
+type KernelKey = (Specialisation, &'static str, Vec<(&'static str, bool)>);
 
 /// The pipelines of a device, shared by all passes that are made [`with`](crate::ShadowPass::with) them: one for each
 /// specialisation (order, order of accumulation, output, method), compiled when a pass first asks for it and kept as
@@ -81,12 +81,9 @@ impl Pipelines {
         &self,
         of: Specialisation,
         name: &'static str,
-        constants: &[(&'static str, f64)],
+        constants: &[(&'static str, bool)],
     ) -> Result<Arc<Kernel>, Error> {
-        let values = constants
-            .iter()
-            .map(|(name, value)| (*name, value.to_bits()));
-        let key = (of, name, values.collect::<Vec<_>>());
+        let key = (of, name, constants.to_vec());
         let mut made = self.made();
         if let Some(kernel) = made.kernels.get(&key) {
             return Ok(kernel.clone());

@@ -69,10 +69,8 @@ fn kernel(setup: &Setup, pass: Pass, entry: &Entry) -> Result<Arc<Kernel>, Error
         Orders::Light => (pass, settings.order, settings.order),
         Orders::Both => (pass, settings.order, settings.accumulation),
     };
-    let constants = entry.constants.iter();
-    let constants = constants.map(|(name, on)| (*name, f64::from(u8::from(*on))));
-    let constants: Vec<_> = constants.collect();
-    setup.pipelines.specialised(of, entry.name, &constants)
+    let constants = &entry.constants;
+    setup.pipelines.specialised(of, entry.name, constants)
 }
 
 /// A band's part of what each binding of group 1 is.

@@ -77,8 +77,7 @@ impl ResolvePass {
         check(environment)?;
         checked(device, || {
             let of = (Pass::Resolve, MIN_ORDER, MIN_ORDER);
-            let constants = [("GLOSS", f64::from(u8::from(gloss)))];
-            let kernel = pipelines.specialised(of, "resolve", &constants)?;
+            let kernel = pipelines.specialised(of, "resolve", &[("GLOSS", gloss)])?;
             let descriptor = wgpu::TextureDescriptor {
                 label: Some("gaunt environment"),
                 size: wgpu::Extent3d {
@@ -135,10 +134,10 @@ impl ResolvePass {
         Ok(())
     }
 
-    /// Binds receivers ([`Receiver`], 32 bytes each), albedo (of which nobody reads the last number) and radiance (`vec4f`, 16 bytes each) of one
-    /// band's samples, tile by tile ([`sh_scene::Tiles`]), all read, and the band's part of the picture
-    /// ([`Bands::picture_range`]), written: linear red, green, blue, and the share of the pixel's samples
-    /// that hit something, as `vec4f`.
+    /// Binds receivers ([`Receiver`], 32 bytes each), albedo, whose last number nobody reads, and radiance (`vec4f`,
+    /// 16 bytes each) of one band's samples, tile by tile ([`sh_scene::Tiles`]), all read, and the band's part of the
+    /// picture ([`Bands::picture_range`]), written: linear red, green, blue, and the share of the pixel's samples that
+    /// hit something, as `vec4f`.
     pub fn bind(
         &self,
         device: &Device,

@@ -107,8 +107,6 @@ impl Output {
 #[derive(Debug)]
 pub struct ShadowPass {
     kernel: Arc<Kernel>,
-    /// What writes what receivers mirror, where that is asked for.
-    gloss: Option<Arc<Kernel>>,
     pub(crate) inputs: Arc<Inputs>,
     group: BindGroup,
     options: ShadowOptions,
@@ -125,7 +123,7 @@ impl ShadowPass {
         Self::of(&Arc::new(Inputs::new(pipelines, options)?), options, false)
     }
 
-    /// With light and blockers that other passes read as well, for receivers that mirror light, too, if there are any.
+    /// With light and blockers that other passes read as well; `gloss`: for what receivers mirror.
     pub(crate) fn of(
         inputs: &Arc<Inputs>,
         options: ShadowOptions,
@@ -136,12 +134,8 @@ impl ShadowPass {
         checked(device, || {
             let of = (pass, options.order, options.accumulation);
             let [lamps, distributions] = lit.lamps();
-            let made = |gloss: bool| {
-                let gloss = ("GLOSS", f64::from(u8::from(gloss)));
-                let constants = [lamps, distributions, gloss];
-                inputs.pipelines.specialised(of, pass.name(), &constants)
-            };
-            let kernel = made(false)?;
+            let constants = [lamps, distributions, ("GLOSS", gloss)];
+            let kernel = inputs.pipelines.specialised(of, pass.name(), &constants)?;
             let [record, emitters] = lit.bindings();
             let own = [record, emitters, inputs.tree(), lit.eye()];
             let known = match options.output {
@@ -151,7 +145,6 @@ impl ShadowPass {
             let group = kernel.own(device, known);
             Ok(Self {
                 kernel,
-                gloss: gloss.then(|| made(true)).transpose()?,
                 inputs: Arc::clone(inputs),
                 group,
                 options,
@@ -178,28 +171,6 @@ impl ShadowPass {
         radiance: BufferBinding<'_>,
     ) -> Result<Bound, Error> {
         bind_tiles(&self.kernel, device, receivers, self.written(radiance))
-    }
-
-    /// As [`bind`](Self::bind), for what receivers mirror.
-    pub(crate) fn bind_gloss(
-        &self,
-        device: &Device,
-        receivers: BufferBinding<'_>,
-        radiance: BufferBinding<'_>,
-    ) -> Result<Bound, Error> {
-        let kernel = self.gloss.as_ref().unwrap_or(&self.kernel);
-        bind_tiles(kernel, device, receivers, self.written(radiance))
-    }
-
-    /// Records one compute pass that writes the mean of what receivers of a cluster see in the lobe in which they mirror light.
-    pub(crate) fn record_gloss(
-        &self,
-        encoder: &mut CommandEncoder,
-        bound: &Bound,
-        timestamps: Option<ComputePassTimestampWrites<'_>>,
-    ) {
-        let kernel = self.gloss.as_ref().unwrap_or(&self.kernel);
-        kernel.record(encoder, (&self.group, &[]), bound, timestamps);
     }
 
     /// As [`bind`](Self::bind), with clusters of the host's.

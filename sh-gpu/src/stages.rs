@@ -2,6 +2,7 @@
 
 use crate::bases::{Bases, Gathering};
 use crate::buffers::Buffers;
+use crate::inputs::Inputs;
 use crate::plain::Plain;
 use crate::surfaces::Surfaces;
 use crate::{
@@ -12,7 +13,6 @@ use sh_scene::passes::{
     BASIS_GATHER, BASIS_UPDATE, GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, POINTS, RESOLVE,
     SCATTER, SHADOW, SHARES, UPSAMPLE,
 };
-use sh_scene::plan::Slot;
 use sh_scene::resource::{ALBEDO, EMISSION, PICTURE, RADIANCE, RECEIVERS, SENT, SHARE, UPSAMPLED};
 use sh_scene::{Domain, Pass, Plan, Planned, Resource, Scene};
 use std::sync::Arc;
@@ -166,13 +166,7 @@ impl Stage {
                 pass.record(encoder, bands, band, bodies, &bound[at], stamps);
             }
             Work::Irradiance { pass, bound } => pass.record(encoder, &bound[at], writes),
-            Work::Shadow { pass, bound } if self.at == Domain::Gloss => {
-                pass.record_gloss(encoder, &bound[at], writes);
-            }
             Work::Shadow { pass, bound } => pass.record(encoder, &bound[at], writes),
-            Work::LightGather { pass, bound, .. } if self.at == Domain::Gloss => {
-                pass.record_gloss(encoder, &bound[at], writes);
-            }
             Work::LightGather {
                 pass,
                 bound,
@@ -252,6 +246,7 @@ pub(crate) struct Setup<'a> {
     pub buffers: &'a Buffers,
     pub bands: &'a Bands,
     pub halves: Option<&'a Bands>,
+    pub inputs: Option<&'a Arc<Inputs>>,
     pub shadow: Option<&'a Arc<ShadowPass>>,
     pub gather: Option<&'a Arc<LightGatherPass>>,
     pub upsample: Option<&'a Arc<UpsamplePass>>,
@@ -341,8 +336,7 @@ impl Setup<'_> {
         bind: impl Fn(&Device, [BufferBinding<'_>; 2]) -> Result<Bound, Error>,
     ) -> Result<Vec<Bound>, Error> {
         let bound = (0..self.bands_of(at)?.count()).map(|band| {
-            let receivers = Slot::receivers(at).bound(at).1;
-            let receivers = self.part(RECEIVERS, receivers, band)?;
+            let receivers = self.part(RECEIVERS, at.receivers(), band)?;
             bind(self.device, [receivers, self.part(written, at, band)?])
         });
         bound.collect()
@@ -540,16 +534,19 @@ fn irradiance(setup: &Setup, at: Domain) -> Result<Work, Error> {
 }
 
 fn shadow(setup: &Setup, at: Domain) -> Result<Work, Error> {
-    let pass = setup.shadow()?;
+    let pass = match at {
+        Domain::Gloss => {
+            let inputs = shared(setup.inputs, "shadow")?;
+            Arc::new(ShadowPass::of(&inputs, options(setup.scene), true)?)
+        }
+        _ => setup.shadow()?,
+    };
     let clustered = |device: &Device, rest: RestBinding<'_>| {
         pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
     };
     let bound = match at {
         Domain::Points | Domain::Patches => setup.points(at, RADIANCE, clustered)?,
         Domain::Rest => setup.rest(clustered)?,
-        Domain::Gloss => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
-            pass.bind_gloss(device, receivers, radiance)
-        })?,
         _ => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
             pass.bind(device, receivers, radiance)
         })?,
@@ -558,7 +555,11 @@ fn shadow(setup: &Setup, at: Domain) -> Result<Work, Error> {
 }
 
 fn light_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
-    let (pass, mut cleared) = (setup.gather()?, None);
+    let (mut pass, mut cleared) = (setup.gather()?, None);
+    if at == Domain::Gloss {
+        let inputs = shared(setup.inputs, "light_gather")?;
+        pass = Arc::new(pass.for_gloss(&inputs)?);
+    }
     let clustered = |device: &Device, rest: RestBinding<'_>| {
         pass.bind_clusters(device, rest.receivers, rest.clusters, rest.radiance)
     };
@@ -575,9 +576,6 @@ fn light_gather(setup: &Setup, at: Domain) -> Result<Work, Error> {
             })?
         }
         Domain::Rest => setup.rest(clustered)?,
-        Domain::Gloss => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
-            pass.bind_gloss(device, receivers, radiance)
-        })?,
         _ => setup.each(at, RADIANCE, |device, [receivers, radiance]| {
             pass.bind(device, receivers, radiance)
         })?,

@@ -117,13 +117,13 @@ impl UpsamplePass {
         sent: bool,
     ) -> Result<Self, Error> {
         checked(device, || {
-            let kernel = |name, constants: &[(&'static str, f64)]| {
+            let kernel = |name, constants: &[(&'static str, bool)]| {
                 let of = (Pass::Upsample, inputs.order, inputs.order);
                 inputs.pipelines.specialised(of, name, constants)
             };
             let lamps = inputs.lit.lamps();
             let [any, uneven] = lamps;
-            let sent = ("SENT", f64::from(u8::from(sent)));
+            let sent = ("SENT", sent);
             let shares = kernel("shares", &lamps)?;
             let upsample = kernel("upsample", &[any, uneven, sent])?;
             let scatter = kernel("scatter", &[])?;

@@ -129,6 +129,11 @@ impl Object {
         self.weights.get(sphere).copied().unwrap_or(1.0)
     }
 
+    /// Whether any of its surface mirrors light.
+    pub fn mirrors(&self) -> bool {
+        self.material.is_glossy() && !self.mesh.triangles.is_empty()
+    }
+
     /// Its blocker spheres in world space.
     pub fn world_spheres(&self) -> impl Iterator<Item = Sphere> {
         let scale = self.transform.matrix3.x_axis.length();
@@ -299,8 +304,7 @@ impl Scene {
 
     /// Whether a picture of it mirrors light in any surface.
     pub fn mirrors(&self) -> bool {
-        let polished = |o: &Object| o.material.is_glossy() && !o.mesh.triangles.is_empty();
-        self.settings.gloss && self.objects.iter().any(polished)
+        self.settings.gloss && self.objects.iter().any(Object::mirrors)
     }
 
     /// The weights of all blocker spheres, object by object.

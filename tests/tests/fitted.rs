@@ -222,9 +222,7 @@ fn a_polished_surface_has_the_lobe_that_its_facets_make() {
             worst[2] = worst[2].max((tilt + x / sine).abs());
             let bands = <[f64; 36]>::gloss_lobe(roughness, cosine);
             for l in 1..6 {
-                let mut band = vec![0.0; l + 1];
-                band[l] = (4.0 * std::f64::consts::PI / (2 * l + 1) as f64).sqrt();
-                let about = |d: [f64; 3]| reference::zonal::evaluate(&band, x * d[0] + z * d[2]);
+                let about = |d: [f64; 3]| reference::ball::legendre(l, x * d[0] + z * d[2]);
                 let mean = gloss.sum(about) / gloss.energy();
                 worst[2 + l] = worst[2 + l].max((bands[l] - mean).abs());
             }

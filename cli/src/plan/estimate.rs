@@ -98,7 +98,7 @@ fn seconds(planned: &Planned, units: &Units, scene: &Scene, view: &View, rate: f
         Domain::Rest => ANEW * cells(view.samples()),
         // As if objects were all as large.
         Domain::Gloss => {
-            let glossy = scene.objects.iter().filter(|o| o.material.is_glossy());
+            let glossy = scene.objects.iter().filter(|o| o.mirrors());
             let share = glossy.count() as f64 / scene.objects.len().max(1) as f64;
             share * cells(view.samples())
         }

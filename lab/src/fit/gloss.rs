@@ -3,6 +3,7 @@
 use super::marquardt::least_squares;
 use super::row;
 use nalgebra::{DMatrix, DVector};
+use sh_reference::ball::legendre;
 use sh_reference::gloss::Gloss;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -64,16 +65,6 @@ impl Case {
             numbers,
         }
     }
-}
-
-/// P_l, by its recurrence.
-fn legendre(l: usize, t: f64) -> f64 {
-    let (mut before, mut p) = (1.0, t);
-    for k in 1..l {
-        let k = k as f64;
-        (before, p) = (p, ((2.0 * k + 1.0) * t * p - k * before) / (k + 1.0));
-    }
-    p
 }
 
 /// Polynomials in roughness and cosine of what a lobe mirrors, where its axis is and how wide it is about that.

@@ -96,7 +96,10 @@ impl Kernel for Unblocked<'_> {
         [L; C]: Routines<L>,
     {
         let lobe = <[L; C]>::cosine(point.normal);
-        let environment = unblocked(&point.lobe(), &self.light.coefficients);
+        let environment = match &point.gloss {
+            None => unblocked(&lobe, &self.light.coefficients),
+            Some(gloss) => unblocked(&gloss.lobe::<C>(), &self.light.coefficients),
+        };
         with_emitters(environment, &lobe, &lobe, point, (self.light, 0))
     }
 }

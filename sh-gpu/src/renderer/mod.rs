@@ -115,14 +115,13 @@ impl Renderer {
         };
         let bands = bands(view.samples())?;
         let options = options(scene);
-        let gloss = plan.runs_over(Domain::Gloss);
         let inputs = match plan.is_blocked() {
             true => Some(Arc::new(Inputs::new(pipelines, options)?)),
             false => None,
         };
         let shadow = match &inputs {
             Some(inputs) if plan.has(&SHADOW) => {
-                Some(Arc::new(ShadowPass::of(inputs, options, gloss)?))
+                Some(Arc::new(ShadowPass::of(inputs, options, false)?))
             }
             _ => None,
         };
@@ -130,9 +129,7 @@ impl Renderer {
         let gather = match &inputs {
             Some(inputs) if sends => {
                 let blocking = scene.settings.indirect.unwrap_or_default().blocking;
-                Some(Arc::new(LightGatherPass::of(
-                    device, inputs, blocking, gloss,
-                )?))
+                Some(Arc::new(LightGatherPass::of(device, inputs, blocking)?))
             }
             _ => None,
         };
@@ -157,12 +154,9 @@ impl Renderer {
             Some(inputs) if plan.has(&BASIS_UPDATE) => {
                 let bodies = BasisBody::all(&scene.objects);
                 let bounces = scene.settings.indirect.unwrap_or_default().bounces;
-                Some(Arc::new(Bases::new(
-                    device,
-                    inputs,
-                    bodies,
-                    (bounces, gloss),
-                )?))
+                let gloss = plan.runs_over(Domain::Gloss);
+                let bases = Bases::new(device, inputs, bodies, (bounces, gloss))?;
+                Some(Arc::new(bases))
             }
             _ => None,
         };
@@ -178,6 +172,7 @@ impl Renderer {
             scene,
             bands: &bands,
             halves: halves.as_ref(),
+            inputs: inputs.as_ref(),
             shadow: shadow.as_ref(),
             gather: gather.as_ref(),
             upsample: upsample.as_ref(),

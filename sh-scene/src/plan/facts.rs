@@ -65,7 +65,7 @@ impl<'a> Facts<'a> {
                 .map(|body| body.basis.patches())
                 .sum(),
             glossy: match settings.gloss && !brought {
-                true => scene.objects.iter().filter(polished).count(),
+                true => scene.objects.iter().filter(|o| o.mirrors()).count(),
                 false => 0,
             },
         }
@@ -112,19 +112,15 @@ impl<'a> Facts<'a> {
         (self.glossy > 0).then(|| Run::once(Domain::Gloss, reason))
     }
 
-    /// The entries of a pass, as they are and as they are for what mirrors light, where anything does.
-    pub(super) fn with_gloss(&self, entries: Vec<Entry>) -> Vec<Entry> {
-        let all = entries.into_iter().flat_map(|entry| {
-            let kinds: &[bool] = if self.glossy > 0 {
-                &[false, true]
-            } else {
-                &[false]
-            };
-            kinds
-                .iter()
-                .map(move |gloss| entry.clone().with(&[("GLOSS", *gloss)]))
-        });
-        all.collect()
+    /// An entry of a pass as it is, and as it is for what mirrors light, where anything does.
+    pub(super) fn with_gloss(&self, entry: Entry) -> Vec<Entry> {
+        let kinds: &[bool] = if self.glossy > 0 {
+            &[false, true]
+        } else {
+            &[false]
+        };
+        let of = |gloss: &bool| entry.clone().with(&[("GLOSS", *gloss)]);
+        kinds.iter().map(of).collect()
     }
 
     /// Runs of a pass over all points of bodies in the turns of further bounces.
@@ -217,7 +213,7 @@ impl<'a> Facts<'a> {
         if self.scene.ground.is_none() && !self.brought {
             add("ground", "There is no ground plane: it is not drawn.");
         }
-        let polished = self.scene.objects.iter().filter(polished).count();
+        let polished = self.scene.objects.iter().filter(|o| o.mirrors()).count();
         if !self.brought && polished > 0 && !self.settings.gloss {
             let bodies = counted(
                 polished,
@@ -280,11 +276,6 @@ fn patched(scene: &Scene) -> Result<usize, &'static str> {
         return Err("No body has functions that tell its irradiance.");
     }
     Ok(count)
-}
-
-/// Whether an object mirrors light.
-fn polished(object: &&Object) -> bool {
-    object.material.is_glossy() && !object.mesh.triangles.is_empty()
 }
 
 /// The roughness of the sharpest lobe that light of an order tells.

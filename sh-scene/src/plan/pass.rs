@@ -121,13 +121,9 @@ impl Slot {
         Self::new(resource, Access::Read)
     }
 
-    /// Reads the receivers of a domain: those that mirror light are samples.
+    /// Reads the receivers that a pass runs over.
     pub fn receivers(at: Domain) -> Self {
-        let of = match at {
-            Domain::Gloss => Domain::Samples,
-            _ => at,
-        };
-        Self::read(super::resource::RECEIVERS).of(of)
+        Self::read(super::resource::RECEIVERS).of(at.receivers())
     }
 
     /// Reads a resource where there is one.

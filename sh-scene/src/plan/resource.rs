@@ -59,6 +59,14 @@ impl Domain {
         }
     }
 
+    /// The domain whose receivers its passes run over: what mirrors light are samples.
+    pub fn receivers(self) -> Self {
+        match self {
+            Self::Gloss => Self::Samples,
+            other => other,
+        }
+    }
+
     /// Whether what passes make for it stays as it is from frame to frame, as long as no body moves and no light changes: it
     /// has nothing to do with what looks at it.
     pub fn is_kept(self) -> bool {

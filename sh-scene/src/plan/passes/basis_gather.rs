@@ -41,19 +41,15 @@ pub static BASIS_GATHER: Pass = Pass {
         Ok(runs)
     },
     entries: |facts| {
+        let entry = |own| {
+            let entry = Entry::new("basis_gather", "gather", Orders::Light);
+            entry.with(&[("OWN_LIGHT", own)])
+        };
+        let mut all = facts.with_gloss(entry(true));
         // Points of patches have what their own body gives them in their weights.
-        let own = [true, false]
-            .into_iter()
-            .take(facts.bounces().min(2) as usize);
-        let entry = || Entry::new("basis_gather", "gather", Orders::Light);
-        let all = own.map(|own| entry().with(&[("OWN_LIGHT", own)]));
-        let (seen, points): (Vec<_>, Vec<_>) = all.partition(|entry| entry.constants[0].1);
-        let mut all = facts.with_gloss(seen);
-        all.extend(
-            points
-                .into_iter()
-                .map(|entry| entry.with(&[("GLOSS", false)])),
-        );
+        if facts.bounces() > 1 {
+            all.push(entry(false).with(&[("GLOSS", false)]));
+        }
         all
     },
     cost: |units| Cost {

@@ -24,7 +24,7 @@ pub static IRRADIANCE: Pass = Pass {
     },
     entries: |facts| {
         let entry = Entry::new("irradiance", "irradiance", Orders::Light);
-        facts.with_gloss(vec![entry.with(&facts.lamp_constants())])
+        facts.with_gloss(entry.with(&facts.lamp_constants()))
     },
     cost: |units| Cost {
         multiply_adds: units.open,

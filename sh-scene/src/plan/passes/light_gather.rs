@@ -50,15 +50,11 @@ pub static LIGHT_GATHER: Pass = Pass {
     },
     entries: |facts| {
         let entry = |name| Entry::new("light_gather", name, Orders::Light);
-        facts.with_gloss(vec![
-            match facts.settings.indirect.unwrap_or_default().blocking {
-                Blocking::Discs => entry("gather_discs"),
-                Blocking::Runs | Blocking::Sphere => {
-                    entry("gather_sums").with(&[("BY_BODIES", false)])
-                }
-                Blocking::Object => entry("gather_sums").with(&[("BY_BODIES", true)]),
-            },
-        ])
+        facts.with_gloss(match facts.settings.indirect.unwrap_or_default().blocking {
+            Blocking::Discs => entry("gather_discs"),
+            Blocking::Runs | Blocking::Sphere => entry("gather_sums").with(&[("BY_BODIES", false)]),
+            Blocking::Object => entry("gather_sums").with(&[("BY_BODIES", true)]),
+        })
     },
     cost: |units| Cost {
         multiply_adds: units.gather,

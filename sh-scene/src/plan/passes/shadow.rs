@@ -47,7 +47,7 @@ pub static SHADOW: Pass = Pass {
         let entry = entry.with(&facts.lamp_constants());
         // Without blockers it runs over points of bodies alone.
         match facts.unblocked() {
-            None => facts.with_gloss(vec![entry]),
+            None => facts.with_gloss(entry),
             Some(_) => vec![entry.with(&[("GLOSS", false)])],
         }
     },
