@@ -219,7 +219,7 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
             transfer(order, &a[0], &lobe)
         }
         "gloss_lobe" => {
-            let bands = (1..order).map(|l| gloss(&format!("band {l}"), &a).min(1.0));
+            let bands = (1..order).map(|l| gloss(&format!("band {l}"), a).min(1.0));
             std::iter::once(1.0).chain(bands).collect()
         }
         "gloss_told" => vec![
@@ -227,10 +227,10 @@ pub fn truth(routine: &str, order: usize, a: &[Vec<f64>]) -> Option<Vec<f64>> {
                 .max([1.0, 0.88, 0.72, 0.6, 0.59][order - 2])
                 .min(1.0),
         ],
-        "gloss_tilt" => vec![gloss("tilt", &a).clamp(0.0, 1.0)],
+        "gloss_tilt" => vec![gloss("tilt", a).clamp(0.0, 1.0)],
         "gloss_energy" => {
-            let energy = gloss("energy", &a).clamp(0.25, 1.0);
-            vec![energy, gloss("grazing", &a).clamp(0.0, energy)]
+            let energy = gloss("energy", a).clamp(0.25, 1.0);
+            vec![energy, gloss("grazing", a).clamp(0.0, energy)]
         }
         "horizon_radius" => {
             // A sphere that touches from above, seen from where it does, is as any next to it.
