@@ -44,14 +44,14 @@ use sh_scene::basis::{Disc, Facet};
 use std::f64::consts::PI;
 
 /// Receivers in the space of a body.
-struct Local<L> {
+struct Local<'a, L> {
     position: [L; 3],
     normal: [L; 3],
     /// How they mirror light, and the direction to the eye.
-    gloss: Option<(Gloss<L>, [L; 3])>,
+    gloss: Option<(&'a Gloss<L>, [L; 3])>,
 }
 
-impl<L: Lane> Local<L> {
+impl<L: Lane> Local<'_, L> {
     /// As [`Point::reflects`].
     #[inline(always)]
     fn reflects(&self, open: L, cone: &Cone<L>) -> L {
@@ -131,7 +131,7 @@ where
 }
 
 #[inline(always)]
-fn local<L: Lane>(point: &Point<L>, placed: &Placed) -> Local<L> {
+fn local<'a, L: Lane>(point: &'a Point<L>, placed: &Placed) -> Local<'a, L> {
     let zero = point.object.lift(0.0);
     let lift = |x: f32| zero.lift(f64::from(x));
     let (turn, local) = (placed.turn.to_cols_array_2d(), placed.local);
@@ -147,10 +147,10 @@ fn local<L: Lane>(point: &Point<L>, placed: &Placed) -> Local<L> {
             },
         ),
         normal: turned(&turn, point.normal),
-        gloss: point.gloss.map(
-            #[inline(always)]
-            |gloss| (gloss, turned(&turn, gloss.view)),
-        ),
+        gloss: match &point.gloss {
+            None => None,
+            Some(gloss) => Some((gloss, turned(&turn, gloss.view))),
+        },
     }
 }
 

@@ -258,7 +258,7 @@ where
     // Lamps are hidden as those who reflect diffusely have it: of a lobe little may be left where a lamp is.
     let mut transfer = [zero; C];
     let lobe = <[L; C]>::cosine(point.normal);
-    let mut mirrored = [zero; C];
+    let mut mirrored = [zero; 3];
     // What lamps give that are before some of the blockers.
     let mut before = [zero; 3];
     let mut add = |lamp: usize, transfer: &[L; C]| {
@@ -270,7 +270,7 @@ where
     };
     for_order!(
         accumulation,
-        A => accumulated::<L, A, C>(point, blockers, start, [&mut transfer, &mut mirrored], lamps, &mut add)
+        A => accumulated::<L, A, C>(point, blockers, start, (&mut transfer, &mut mirrored), lamps, &mut add)
     );
     let [open, shadowed] = match &point.gloss {
         None => [
@@ -279,10 +279,7 @@ where
         ],
         Some(gloss) => {
             let open: [L; C] = gloss.lobe();
-            [
-                unblocked(&open, &light.coefficients),
-                reflected(&mirrored, &light.coefficients),
-            ]
+            [unblocked(&open, &light.coefficients), mirrored]
         }
     };
     // What is not a number fails the comparison.
@@ -292,15 +289,15 @@ where
     [all[0] + before[0], all[1] + before[1], all[2] + before[2]]
 }
 
-/// The transfers of light of `C` coefficients behind blockers that are accumulated with `A`, to what is reflected diffusely and, where
-/// that is asked for, to what is mirrored; `own` is told that of each lamp
-/// that has one of its own. A light of a higher order than the accumulation's is refused before.
+/// The transfer of light of `C` coefficients behind blockers that are accumulated with `A`, and, where that is asked for, what is
+/// mirrored of the environment; `own` is told the transfer of each lamp that has one of its own. A light of a higher
+/// order than the accumulation's is refused before.
 #[inline(always)]
 fn accumulated<L: Outline<A>, const A: usize, const C: usize>(
     point: &Point<L>,
     blockers: Blockers,
     start: Option<impl Fn(usize) -> L>,
-    [transfer, mirrored]: [&mut [L; C]; 2],
+    (transfer, mirrored): (&mut [L; C], &mut [L; 3]),
     lamps: Lamps,
     own: &mut impl FnMut(usize, &[L; C]),
 ) where
@@ -322,11 +319,8 @@ fn accumulated<L: Outline<A>, const A: usize, const C: usize>(
         own(lamp, &L::transfer(&parted, point.normal));
     }
     if let Some(gloss) = &point.gloss {
-        // All of its bands, compiled once for every order of the light.
-        let all = L::mirrored(&sum, gloss);
-        for (mirrored, all) in mirrored.iter_mut().zip(all) {
-            *mirrored = all;
-        }
+        // Light has the lower bands of it.
+        *mirrored = reflected(&L::mirrored(&sum, gloss), &lamps.light.coefficients);
     }
     if point.gloss.is_none() || !lamps.light.emitters.is_empty() {
         *transfer = L::transfer(&sum, point.normal);
