@@ -29,8 +29,9 @@ pub struct Gloss {
 /// The least α that is told apart from a mirror's.
 const SMOOTHEST: f64 = 1e-4;
 
-/// Cells of the square that sums are taken over, along each side.
-const CELLS: usize = 64;
+/// Points of the square that sums are taken over, and by how many of them the second number goes on from one to the next: two
+/// Fibonacci numbers. A lattice has no rows along which a horizon or a ring could run, as a grid has.
+const POINTS: [usize; 2] = [4181, 2584];
 
 impl Gloss {
     /// That of a surface of a roughness 0..1 with a unit normal, seen from a unit direction above it.
@@ -82,14 +83,15 @@ impl Gloss {
 
     /// The sum of a function over the lobe, before it is divided by its own.
     pub fn sum(&self, f: impl Fn([f64; 3]) -> f64) -> f64 {
+        let [points, step] = POINTS;
         let mut sum = 0.0;
-        for i in 0..CELLS * CELLS {
-            let cell = [i / CELLS, i % CELLS].map(|c| (c as f64 + 0.5) / CELLS as f64);
-            if let Some((direction, weight)) = self.drawn(cell) {
+        for i in 0..points {
+            let pair = [i, i * step % points].map(|c| (c as f64 + 0.5) / points as f64);
+            if let Some((direction, weight)) = self.drawn(pair) {
                 sum += weight * f(direction);
             }
         }
-        sum / (CELLS * CELLS) as f64
+        sum / points as f64
     }
 
     /// A direction by two numbers in 0..1, and what light from there counts; none that is below the surface, which counts

@@ -7,26 +7,31 @@ use sh_scene::{Blocking, Indirect, Method};
 /// What `[indirect]` knows.
 pub(crate) const KEYS: [&str; 4] = ["method", "bounces", "blocking", "basis"];
 
+/// The names of all methods.
+fn names() -> String {
+    Method::ALL
+        .map(|m| format!("\"{}\"", m.name()))
+        .join(" or ")
+}
+
+/// Reads by what light is sent on, of a scene or of one object.
+pub(crate) fn method(s: &Section) -> Result<Option<Method>, Error> {
+    let Some(name) = s.string("method")? else {
+        return Ok(None);
+    };
+    let known = Method::ALL.into_iter().find(|m| m.name() == name);
+    known.map(Some).ok_or_else(|| {
+        let message = format!("is \"{name}\", but it has to be {}.", names());
+        s.error("method", message)
+    })
+}
+
 /// Reads `[indirect]`.
 pub(crate) fn read(s: &Section) -> Result<Indirect, Error> {
-    let names = || {
-        Method::ALL
-            .map(|m| format!("\"{}\"", m.name()))
-            .join(" or ")
-    };
-    let method = match s.string("method")? {
-        Some(name) => Method::ALL
-            .into_iter()
-            .find(|method| method.name() == name)
-            .ok_or_else(|| {
-                let message = format!("is \"{name}\", but it has to be {}.", names());
-                s.error("method", message)
-            })?,
-        None => {
-            let message = format!("is missing: it has to be {}.", names());
-            return Err(s.error("method", message));
-        }
-    };
+    let method = method(s)?.ok_or_else(|| {
+        let message = format!("is missing: it has to be {}.", names());
+        s.error("method", message)
+    })?;
     let mut indirect = Indirect {
         method,
         ..Indirect::default()

@@ -30,10 +30,14 @@
 //! mesh = "bunny.obj"           # .obj, .gltf or .glb, relative to this file
 //! name = "bunny"               # what lights call it; its file's name where nothing is said
 //! spheres = 64                 # 1 to 4096
+//! # blockers = "none"          # in their place: a wall that hides nothing from what stands before it
 //! scale = 1.0                  # applied first,
 //! rotate = [0, 90, 0]          # then turned about x, then y, then z, in degrees,
 //! translate = [0, 0, 0]        # then moved, in metres
 //! albedo = [0.8, 0.8, 0.8]     # or one number; in place of the file's own colour, under its texture
+//! roughness = 0.6              # 0 to 1, and
+//! metallic = 0                 # 0 to 1: how it mirrors light; in place of what the file says
+//! method = "spherical-lights"  # by what it sends light on, where that is not as [indirect] says
 //! clip = "Walk"                # plays one of the mesh file's clips over and over: its name, or its number from 0
 //! keys = [                     # moves the whole: places over time, in seconds; straight lines and the shorter
 //!     { time = 0 },            # turns (below 180 degrees) between them; what a key does not say is as above

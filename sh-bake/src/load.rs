@@ -187,14 +187,30 @@ pub fn load_scene_with<'a>(
     }
 
     let (mut objects, mut motion) = (Vec::new(), Motion::default());
-    // Bodies, and which of them bend.
-    let (mut whole, mut bends) = (Vec::new(), Vec::new());
+    // Bodies, and which of them send light on by their patches.
+    let (mut whole, mut by_patches) = (Vec::new(), Vec::new());
+    let method = file.settings.indirect.map(|indirect| indirect.method);
     let mut rigs = Rigs::default();
     let no_spheres = SphereSet::none();
     for (entry, clip) in file.objects.iter().zip(clips) {
         let (first, mesh) = (objects.len(), entry.mesh.as_path());
         let model = &models[mesh];
-        bends.push(clip.is_some() && model.figure.is_some());
+        let bends = clip.is_some() && model.figure.is_some();
+        let asked = entry.method.or(method) == Some(Method::BasisIrradiance);
+        by_patches.push(asked && !bends);
+        if let (Some(own), None) = (entry.method, method) {
+            report.warnings.push(format!(
+                "{} asks for method = \"{}\", but without [indirect] no light is sent on.",
+                file_name(mesh),
+                own.name()
+            ));
+        }
+        if bends && entry.method == Some(Method::BasisIrradiance) {
+            report.warnings.push(format!(
+                "{} bends, so it sends light on by its spheres and not by patches, as method = \"basis-irradiance\" asks.",
+                file_name(mesh)
+            ));
+        }
         let set = sets.get(&(mesh, entry.spheres));
         let mut set: &SphereSet = set.map_or(&no_spheres, |set| set);
         if let (Some(clip), Some(figure)) = (clip, &model.figure) {
@@ -215,9 +231,8 @@ pub fn load_scene_with<'a>(
     }
     report.fit_time = start.elapsed();
     if file.settings.indirect.is_some() || choices.surfaces {
-        let by_patches = file.settings.indirect.map(|i| i.method) == Some(Method::BasisIrradiance);
         let (told, sampled): (Vec<_>, Vec<_>) =
-            (whole.iter().cloned().zip(bends)).partition(|(_, bends)| by_patches && !bends);
+            (whole.iter().cloned().zip(by_patches)).partition(|(_, by_patches)| *by_patches);
         let [told, sampled] =
             [told, sampled].map(|all| all.into_iter().map(|(body, _)| body).collect::<Vec<_>>());
         let start = Instant::now();

@@ -1,11 +1,12 @@
 //! What a scene file says of an object.
 
 use crate::error::Error;
+use crate::indirect;
 use crate::keys::{FAR, Section, Source, albedo, beside};
 
 use glam::{EulerRot, Quat, Vec3};
 use sh_scene::motion::{Keys, Place};
-use sh_scene::{Finish, Material};
+use sh_scene::{Finish, Material, Method};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::de::DeTable;
@@ -17,6 +18,8 @@ pub(crate) struct ObjectEntry {
     pub(crate) name: Option<String>,
     /// Spheres that block light in its place, at most; 0: it blocks none.
     pub(crate) spheres: usize,
+    /// By what it sends light on, if not as the scene has it.
+    pub(crate) method: Option<Method>,
     pub(crate) place: Place,
     pub(crate) albedo: Option<[f32; 3]>,
     pub(crate) roughness: Option<f32>,
@@ -42,6 +45,7 @@ impl ObjectEntry {
             mesh: path.to_path_buf(),
             name: None,
             spheres: SPHERES,
+            method: None,
             place: REST,
             albedo: None,
             roughness: None,
@@ -62,6 +66,7 @@ impl ObjectEntry {
             "name",
             "blockers",
             "spheres",
+            "method",
             "translate",
             "rotate",
             "scale",
@@ -85,6 +90,7 @@ impl ObjectEntry {
             mesh: beside(source.path, mesh),
             name: s.string("name")?.map(String::from),
             spheres: spheres(&s)?,
+            method: indirect::method(&s)?,
             place,
             albedo: albedo(&s)?,
             roughness: s.number("roughness", "from 0 to 1", |n| (0.0..=1.0).contains(&n))?,

@@ -2,6 +2,7 @@
 
 use glam::{Affine3A, Vec3};
 use sh_bake::{SphereSet, load_environment, load_mesh, load_scene, shapes};
+use sh_scene::plan::{Domain, Plan};
 use sh_scene::{AreaShape, Mesh, View};
 use std::path::{Path, PathBuf};
 
@@ -113,6 +114,32 @@ fn what_blocks_no_light_has_no_spheres() {
     let said = |w: &String| w.contains("polygon.obj has no spheres, so it sends no light on");
     assert!(by_spheres.report.warnings.iter().any(said));
     assert!(by_spheres.scene.objects[0].surface.points.is_empty());
+}
+
+/// One object sends light on by its patches where all others do by their spheres; where nothing is sent on, it is said that it asks in
+/// vain.
+#[test]
+fn an_object_sends_light_on_by_a_method_of_its_own() {
+    let mixed = load_scene(&good("wall_alone.toml")).unwrap();
+    let [wall, other] = &mixed.scene.objects[..] else {
+        panic!("two objects");
+    };
+    assert!(wall.basis.is_some() && wall.surface.points.is_empty());
+    assert!(other.basis.is_none() && !other.surface.points.is_empty());
+    let quiet = |w: &String| !w.contains("no light") && !w.contains("method");
+    assert!(
+        mixed.report.warnings.iter().all(quiet),
+        "{:?}",
+        mixed.report.warnings
+    );
+    let plan = Plan::new(&mixed.scene);
+    for domain in [Domain::Patches, Domain::Points] {
+        assert!(plan.runs_over(domain), "{domain:?}");
+    }
+    let unlit = load_scene(&good("wall_unlit.toml")).unwrap();
+    let said = |w: &String| w.contains("polygon.obj asks for method") && w.contains("[indirect]");
+    assert!(unlit.report.warnings.iter().any(said));
+    assert!(unlit.scene.objects[0].basis.is_none());
 }
 
 /// Lamps of a scene file: bound to an object by its name or that of its file, and bright where they say.

@@ -24,8 +24,8 @@ fn an_even_sky_is_mirrored_as_it_is() {
         for facing in [0.1, 0.6, 1.0] {
             for options in [bounces(0), bounces(2), projected()] {
                 let seen = mirrored(&even(), options, facing, roughness);
-                // The lobe's own sum is taken over 64 by 64 draws: it errs by .7 % where the horizon cuts off a row of them.
-                assert_near(seen.direct, seen.direct_error, [1.0; 3], 7e-3, 3e-3);
+                // The lobe's own sum, over 4,181 draws, errs by less.
+                assert_near(seen.direct, seen.direct_error, [1.0; 3], 1e-3, 3e-3);
                 assert_eq!(seen.indirect, [0.0; 3]);
             }
         }

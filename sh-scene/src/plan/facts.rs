@@ -267,15 +267,15 @@ fn senders(scene: &Scene) -> Result<usize, &'static str> {
 /// How many bodies send light on by their patches, in a scene that asks for it; or why none does, in no words where nobody
 /// asked for it.
 fn patched(scene: &Scene) -> Result<usize, &'static str> {
-    let indirect = scene.settings.indirect;
-    if indirect.map(|indirect| indirect.method) != Some(Method::BasisIrradiance) {
+    let Some(indirect) = scene.settings.indirect else {
         return Err("");
+    };
+    // A body of its own method is asked for by having functions.
+    match (BasisBody::all(&scene.objects).count(), indirect.method) {
+        (0, Method::BasisIrradiance) => Err("No body has functions that tell its irradiance."),
+        (0, Method::SphericalLights) => Err(""),
+        (count, _) => Ok(count),
     }
-    let count = BasisBody::all(&scene.objects).count();
-    if count == 0 {
-        return Err("No body has functions that tell its irradiance.");
-    }
-    Ok(count)
 }
 
 /// The roughness of the sharpest lobe that light of an order tells.
