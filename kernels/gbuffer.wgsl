@@ -3,23 +3,12 @@
 // `pack` turns both textures into the buffers that the other passes read. Twin of sh_cpu's `gbuffer`.
 
 #import shared/records
+#import shared/body
 #import shared/invocation
 #import shared/band
 #import shared/tiles
 #import shared/octahedral
 #import constants
-
-// One body: where it stands and how it reflects.
-struct Body {
-    world_from_object: mat4x4f,
-    albedo: vec3f,
-    object: u32,
-    // 1 where it mirrors light.
-    glossy: u32,
-    roughness: f32,
-    metallic: f32,
-    tail: u32,
-}
 
 @group(0) @binding(0) var<uniform> band: Band;
 @group(1) @binding(0) var<uniform> body: Body;

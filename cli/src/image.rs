@@ -5,8 +5,9 @@
 //! and encoded as sRGB. EXR files keep the radiance as it is.
 
 use crate::Error;
+use glam::Vec3;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat, Rgb32FImage};
-use sh_scene::Light;
+use sh_scene::{Light, LightViews, Object, Scene};
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
@@ -30,28 +31,53 @@ const SHOULDER: f32 = 0.6;
 /// How fast what is brighter than white loses its colour.
 const BLEACH: f32 = 0.15;
 
-/// The factor that brings the luminance of a white diffuse surface, under this light without shadows and
-/// averaged over all directions it may face, to 0.45: 0.70 of an sRGB screen's range. 1 for a dark light.
+/// The factor that brings the luminance of a white diffuse surface, in the light of a scene without shadows and averaged over all
+/// directions it may face, to 0.45: 0.70 of an sRGB screen's range. 1 where there is no light.
 ///
-/// That average is the mean radiance: all bands but the first average to 0, and a cosine lobe over π
-/// integrates to 1.
+/// Of the environment that average is the mean radiance: all bands but the first average to 0, and a cosine lobe over π
+/// integrates to 1. Spots, points and suns are taken in the middle of each body, and averaged over these: a sun counts as what it would
+/// in the environment.
 ///
 /// ```
-/// use sh_scene::Light;
-/// let gray = Light { order: 2, coefficients: vec![[3.5449077; 3], [0.0; 3], [0.0; 3], [0.0; 3]], emitters: vec![] };
-/// assert!((gaunt::image::exposure(&gray) - 0.45).abs() < 1e-6);
+/// use sh_scene::{Camera, EnvironmentMap, Scene, Settings};
+/// # let camera = Camera { eye: glam::Vec3::Z, target: glam::Vec3::ZERO, fov: 1.0 };
+/// # let (objects, lights, punctual, ground, settings) = (vec![], vec![], vec![], None, Settings::default());
+/// let environment = EnvironmentMap::constant([2.0; 3]);
+/// let scene = Scene { environment, objects, lights, punctual, ground, camera, settings };
+/// let exposure = gaunt::image::exposure(&scene.light()?, &scene);
+/// assert!((exposure - 0.225).abs() < 1e-6);
+/// # Ok::<(), sh_scene::LightError>(())
 /// ```
-pub fn exposure(light: &Light) -> f32 {
-    let [r, g, b] = light
-        .coefficients
-        .first()
-        .map_or([0.0; 3], |c| c.map(f64::from));
-    let mean = (0.2126 * r + 0.7152 * g + 0.0722 * b) / (4.0 * std::f64::consts::PI).sqrt();
+pub fn exposure(light: &Light, scene: &Scene) -> f32 {
+    let luminance = |[r, g, b]: [f64; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    let first = light.coefficients.first();
+    let first = first.map_or([0.0; 3], |c| c.map(f64::from));
+    let mean = luminance(first) / (4.0 * std::f64::consts::PI).sqrt() + sharp(scene, luminance);
     if mean > 0.0 {
         (MIDDLE / mean) as f32
     } else {
         1.0
     }
+}
+
+/// The part of spots, points and suns: none of those that are no lights.
+fn sharp(scene: &Scene, luminance: impl Fn([f64; 3]) -> f64) -> f64 {
+    let lights = LightViews::of(scene).unwrap_or_default().lights;
+    let bounds = scene.objects.iter().filter_map(Object::bounds);
+    let mut places: Vec<Vec3> = bounds.map(|[low, high]| 0.5 * (low + high)).collect();
+    if places.is_empty() {
+        places.push(scene.camera.target);
+    }
+    let mut sum = 0.0;
+    for (place, light) in places
+        .iter()
+        .flat_map(|place| lights.iter().map(move |l| (place, l)))
+    {
+        // A quarter is the mean of the cosine over all normals.
+        sum +=
+            0.25 * f64::from(light.seen(*place).share) * luminance(light.radiance.map(f64::from));
+    }
+    sum / places.len() as f64
 }
 
 /// The tone curve, 0..∞ to 0..1: straight up to 0.6, then a hyperbola to 1 without a kink. It acts on the

@@ -44,7 +44,7 @@ pub struct Constant {
 /// All constants, topic by topic.
 pub fn all() -> impl Iterator<Item = &'static Constant> {
     [
-        ORDER, STORAGE, GRID, BALL, CUT, COARSE, LAMP, SENDER, PATCH, GLOSS, ANGLE,
+        ORDER, STORAGE, GRID, BALL, CUT, COARSE, LAMP, SENDER, PATCH, GLOSS, PUNCTUAL, ANGLE,
     ]
     .into_iter()
     .flatten()
@@ -358,6 +358,74 @@ const GLOSS: &[Constant] = &[
         name: "DIELECTRIC",
         value: Double(0.04),
         doc: "What a surface that is no metal mirrors of light from the front: a refractive index of 1.5.",
+    },
+];
+
+/// Lights with sharp shadows, and what is seen from them.
+const PUNCTUAL: &[Constant] = &[
+    Constant {
+        name: "CLOSEST",
+        value: Single(1e-4),
+        doc: "Below this distance, in metres, a light without a radius gets no brighter.",
+    },
+    Constant {
+        name: "VIEW_BLOCK",
+        value: Word(8),
+        doc: "Texels along a side of a view of which the nearest is kept, and of these, and of these again, so that most receivers \
+              know by a few of them that nothing is before them.",
+    },
+    Constant {
+        name: "SEARCH_TAPS",
+        value: Word(16),
+        doc: "Texels among which a receiver looks for what may be before a light, as far apart as the light's size asks. With four \
+              samples a pixel, of which each turns them by another quarter, a pixel looks at 64.",
+    },
+    Constant {
+        name: "SHADOW_TAPS",
+        value: Word(32),
+        doc: "Texels whose share says how much of a light is left: with four samples a pixel 128, so that penumbrae have no steps \
+              that 8 bits show.",
+    },
+    Constant {
+        name: "SHARP_TAPS",
+        value: Word(8),
+        doc: "The same for both, where all that is looked at lies within SHARP texels: there are few of them.",
+    },
+    Constant {
+        name: "SHARP",
+        value: Single(1.5),
+        doc: "Texels of a view that are few: a disc of that radius has seven.",
+    },
+    Constant {
+        name: "GOLDEN_COSINE",
+        value: Single(-0.737_368_9),
+        doc: "The cosine of the golden angle, 2.39996, by which points of a spiral that fills a disc evenly are turned from one to the next.",
+    },
+    Constant {
+        name: "GOLDEN_SINE",
+        value: Single(0.675_490_3),
+        doc: "The sine of the golden angle.",
+    },
+    Constant {
+        name: "RISE",
+        value: Single(0.03),
+        doc: "The sine of how high above a receiver's own plane something has to rise to hide a light from it: by less, facets of a \
+              mesh with smooth normals would hide their neighbours; what lies flatter hides light that hardly counts there.",
+    },
+    Constant {
+        name: "LEAST_BLUR",
+        value: Single(0.75),
+        doc: "Texels of a view by which every shadow is blurred: half a texel's diagonal, and a little.",
+    },
+    Constant {
+        name: "NOWHERE",
+        value: Single(-1e30),
+        doc: "How near what is seen from a light is where nothing is seen: farther than any receiver.",
+    },
+    Constant {
+        name: "WIDE",
+        value: Single(0.5),
+        doc: "The farthest that a receiver looks for what is before a light, in halves of the side of a view.",
     },
 ];
 

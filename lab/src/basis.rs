@@ -204,6 +204,7 @@ fn traced(
     // So bright that the lamp gives about 1 where it shines straight down.
     let radiance = (DISTANCE / RADIUS).powi(2);
     let scene = Scene {
+        punctual: Vec::new(),
         objects: parts.iter().map(object).collect(),
         environment: EnvironmentMap::constant([SKY; 3]),
         lights: vec![AreaLight::local(lamp, RADIUS * radius, [radiance; 3])],

@@ -53,6 +53,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             ..Object::default()
         };
         let scene = Scene {
+            punctual: Vec::new(),
             objects: model.parts.iter().enumerate().map(body).collect(),
             environment: EnvironmentMap::constant([1.0; 3]),
             lights: Vec::new(),

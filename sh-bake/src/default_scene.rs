@@ -77,6 +77,7 @@ pub fn default_scene_with(
     }
     let whole: Vec<_> = (0..objects.len()).map(|i| i..i + 1).collect();
     let mut scene = Scene {
+        punctual: Vec::new(),
         objects,
         environment,
         lights: Vec::new(),

@@ -1,6 +1,7 @@
 //! Reading a table of a scene file key by key, with errors that name the file, the line and the key.
 
 use crate::error::{Error, one_line};
+use glam::Vec3;
 use std::fmt::Display;
 use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
@@ -335,6 +336,19 @@ fn distance(a: &str, b: &str) -> usize {
         }
     }
     row[b.len()]
+}
+
+/// A direction of any length but 0; there is somewhere to `go`.
+pub(crate) fn towards(s: &Section, key: &str, go: &str) -> Result<Option<Vec3>, Error> {
+    let given = s.triple(key, "of any length but 0", false, |n| n.abs() < FAR)?;
+    let direction = given.map(Vec3::from);
+    match direction {
+        Some(direction) if direction.try_normalize().is_none() => {
+            let message = format!("has no length, so there is nowhere to {go}.");
+            Err(s.error(key, message))
+        }
+        _ => Ok(direction),
+    }
 }
 
 #[cfg(test)]

@@ -38,6 +38,7 @@
 //! roughness = 0.6              # 0 to 1, and
 //! metallic = 0                 # 0 to 1: how it mirrors light; in place of what the file says
 //! method = "spherical-lights"  # by what it sends light on, where that is not as [indirect] says
+//! lights = true                # the lights of a glTF file are in the scene
 //! clip = "Walk"                # plays one of the mesh file's clips over and over: its name, or its number from 0
 //! keys = [                     # moves the whole: places over time, in seconds; straight lines and the shorter
 //!     { time = 0 },            # turns (below 180 degrees) between them; what a key does not say is as above
@@ -50,6 +51,8 @@
 //! rotation = 0                 # about +Y, in degrees, counter-clockwise seen from above
 //! turn = 30                    # degrees a second
 //! intensity = 1.0
+//! # sun = "lift"               # its sun becomes a light with sharp shadows; "keep" where nothing is said. Not with turn
+//! enabled = true               # false: no light from all around
 //!
 //! [[lights]]                   # any number of discs in the sky
 //! direction = [1, 2, 0]        # towards it
@@ -67,6 +70,17 @@
 //! # map = "lamp.hdr"           # as bright in each direction from its centre as this map, times the radiance
 //! # distribution = [3.5, 0, -2, 0]   # SH coefficients, numbers or colours, 1, 4, 9, 16, 25 or 36, times the radiance
 //!
+//! [[lights]]                   # or with sharp shadows: a spot, a point or a sun
+//! kind = "spot"
+//! position = [0, 4, 2]         # of a spot and a point
+//! towards = [0, -1, -0.3]      # the way that a spot shines
+//! angle = 40                   # of a spot: its cone from edge to edge, below 180 degrees; of a sun: its angular radius, 0 to 45 degrees
+//! blend = 0.15                 # of a spot: the part of the cone over which it fades to its edge, 0 to 1
+//! radius = 0.05                # of a spot and a point, in metres: the larger, the softer its shadows; none where nothing is said
+//! intensity = 60               # radiance times square metres (candela); of a sun, irradiance (lux): radiance times steradians
+//! color = [1, 0.9, 0.7]        # which that is multiplied with
+//! object = "bunny"             # bound to an object, as above
+//!
 //! [ground]                     # an infinite plane that receives shadows
 //! height = 0.0                 # under the lowest point where nothing is said
 //! albedo = [0.5, 0.5, 0.5]
@@ -82,6 +96,7 @@
 //! eye = [3, 2, 5]
 //! target = [0, 1, 0]
 //! fov = 35                     # vertical, in degrees
+//! # name = "Camera"             # in their place: a camera of one of the glTF files, as that has it, by its name or number from 0
 //!
 //! [settings]
 //! order = 4                    # of the light, 2 to 6
@@ -111,6 +126,7 @@ mod normals;
 mod obj;
 mod objects;
 mod progress;
+mod punctual;
 mod raw;
 mod rays;
 mod scene_file;
@@ -128,7 +144,7 @@ pub use environment::load_environment;
 pub use error::Error;
 pub use load::{FitReport, Loaded, Report, load_scene, load_scene_with};
 pub use mesh::load_mesh;
-pub use model::{Figure, Model, Part};
+pub use model::{Figure, Model, ModelCamera, Part};
 pub use motion::{ClipChoice, bind_spheres, grow_spheres};
 pub use progress::Progress;
 pub use spheres::{SphereSet, is_closed};

@@ -1,11 +1,11 @@
 //! The `[[lights]]` of a scene file.
 
-use crate::error::{Error, file_name};
-use crate::keys::{FAR, Section, beside};
+use crate::error::Error;
+use crate::keys::{FAR, Section, beside, towards};
 use crate::load_environment;
-use crate::objects::ObjectEntry;
+use crate::objects::{ObjectEntry, bound};
+use crate::punctual::{self, PunctualEntry};
 
-use glam::Vec3;
 use sh_scene::{AreaLight, AreaShape, Distribution};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -26,13 +26,13 @@ const NEEDS: &str = "a light needs a direction and an angle, or a center and a r
 /// Keys that say how bright a ball is where, of which it has one at most.
 const DISTRIBUTIONS: [&str; 3] = ["towards", "map", "distribution"];
 
-/// All lights of the scene in a file, whose objects are known.
+/// All lights of the scene in a file, whose objects are known: those in spherical harmonics, and those with sharp shadows.
 pub(crate) fn read(
     root: &Section,
     path: &Path,
     objects: &[ObjectEntry],
-) -> Result<Vec<LightEntry>, Error> {
-    let known = [
+) -> Result<(Vec<LightEntry>, Vec<PunctualEntry>), Error> {
+    let soft = [
         "direction",
         "angle",
         "center",
@@ -45,11 +45,18 @@ pub(crate) fn read(
         "map",
         "distribution",
     ];
+    let known = [&soft[..], &punctual::KEYS].concat();
     let entries = root
         .sections("lights", "lights", &known)?
         .unwrap_or_default();
-    let entries = entries.iter().map(|entry| light(entry, path, objects));
-    entries.collect()
+    let (mut lights, mut sharp) = (Vec::new(), Vec::new());
+    for entry in &entries {
+        match entry.string("kind")? {
+            Some(kind) => sharp.push(punctual::read(entry, kind, &known, objects)?),
+            None => lights.push(light(entry, path, objects)?),
+        }
+    }
+    Ok((lights, sharp))
 }
 
 impl LightEntry {
@@ -71,6 +78,11 @@ impl LightEntry {
 }
 
 fn light(s: &Section, path: &Path, objects: &[ObjectEntry]) -> Result<LightEntry, Error> {
+    if let Some(key) = punctual::KEYS.iter().find(|key| s.has(key)) {
+        let message =
+            "is for a light with sharp shadows: it needs kind = \"spot\", \"point\" or \"sun\".";
+        return Err(s.error(key, message));
+    }
     let shape = shape(s)?;
     if let AreaShape::Distant { .. } = shape {
         let mut only_balls = DISTRIBUTIONS.iter().chain(&["spread", "object"]);
@@ -95,7 +107,7 @@ fn light(s: &Section, path: &Path, objects: &[ObjectEntry]) -> Result<LightEntry
             distribution: distribution(s)?,
             ..AreaLight::of(shape, radiance)
         },
-        object: object(s, objects)?,
+        object: bound(s, objects)?,
         map,
     })
 }
@@ -124,19 +136,6 @@ fn shape(s: &Section) -> Result<AreaShape, Error> {
         }),
         (Some(_), Some(_)) => Err(beside("center", "direction")),
         (None, None) => Err(missing("direction")),
-    }
-}
-
-/// A direction of any length but 0; there is somewhere to `go`.
-fn towards(s: &Section, key: &str, go: &str) -> Result<Option<Vec3>, Error> {
-    let given = s.triple(key, "of any length but 0", false, |n| n.abs() < FAR)?;
-    let direction = given.map(Vec3::from);
-    match direction {
-        Some(direction) if direction.try_normalize().is_none() => {
-            let message = format!("has no length, so there is nowhere to {go}.");
-            Err(s.error(key, message))
-        }
-        _ => Ok(direction),
     }
 }
 
@@ -178,32 +177,4 @@ fn distribution(s: &Section) -> Result<Option<Distribution>, Error> {
         );
         s.error("distribution", message)
     })
-}
-
-/// Which object a light is bound to.
-fn object(s: &Section, objects: &[ObjectEntry]) -> Result<Option<usize>, Error> {
-    let Some(name) = s.string("object")? else {
-        return Ok(None);
-    };
-    let called = |entry: &ObjectEntry| match &entry.name {
-        Some(name) => name.clone(),
-        None => file_name(&entry.mesh),
-    };
-    let names: Vec<String> = objects.iter().map(called).collect();
-    let mut found = (0..names.len()).filter(|&i| names[i] == name);
-    match (found.next(), found.next()) {
-        (Some(index), None) => Ok(Some(index)),
-        (Some(_), Some(_)) => {
-            let message = format!(
-                "is {name:?}, but several objects are called so: give one a name of its own, name = \"...\"."
-            );
-            Err(s.error("object", message))
-        }
-        (None, _) => {
-            let names = names.join(", ");
-            let message =
-                format!("is {name:?}, but no object is called so; the objects are {names}.");
-            Err(s.error("object", message))
-        }
-    }
 }

@@ -6,15 +6,18 @@ use crate::choices::Choices;
 use crate::environment::load_environment;
 use crate::error::{Error, file_name};
 use crate::mesh::load_mesh;
-use crate::model::{Model, Part};
+use crate::model::{Model, ModelCamera, Part};
 use crate::motion::{self, ClipChoice, Rigs};
 use crate::objects::ObjectEntry;
 use crate::progress::Progress;
-use crate::scene_file::SceneFile;
+use crate::scene_file::{CameraName, SceneFile};
 use crate::spheres::{SphereSet, is_closed};
-use glam::Vec3;
+use glam::{Affine3A, Quat, Vec3};
 use sh_scene::motion::Motion;
-use sh_scene::{AreaLight, Camera, Ground, Mesh, Method, Object, Scene, Sky};
+use sh_scene::{
+    AreaLight, Camera, EnvironmentMap, Ground, Mesh, Method, Object, PunctualLight, PunctualShape,
+    Scene, Sky,
+};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
@@ -142,7 +145,8 @@ pub fn load_scene_with<'a>(
         done: 0,
         total: 1,
     });
-    let environment = match &file.map {
+    let mut environment = match &file.map {
+        _ if !file.sky => EnvironmentMap::constant([0.0; 3]),
         Some(map) => load_environment(map)?,
         None => Sky::default().map(512, 256),
     };
@@ -253,6 +257,25 @@ pub fn load_scene_with<'a>(
         motion.add_surfaces(&objects);
         report.surface_time = start.elapsed();
     }
+    let mut lifted = None;
+    if file.lift {
+        let map = file.map.as_deref();
+        let name = map.map_or("the built-in sky".into(), file_name);
+        match environment.lift_sun() {
+            Some(found) => {
+                report.warnings.push(format!(
+                    "The sun of {name}, {:.0} % of its light, is a light with sharp shadows; the camera does not see it.",
+                    100.0 * found.share
+                ));
+                environment = found.map;
+                let turn = Quat::from_rotation_y(file.rotation);
+                lifted = Some(found.sun.turned(turn).scaled(file.intensity));
+            }
+            None => report.warnings.push(format!(
+                "{name} has no sun: no part of it is that small and bright, so nothing was lifted."
+            )),
+        }
+    }
     let environment = if file.turn == 0.0 {
         environment.rotated(file.rotation).scaled(file.intensity)
     } else {
@@ -267,7 +290,20 @@ pub fn load_scene_with<'a>(
     };
     let lights = file.lights.iter().map(|light| light.bound(&whole));
     let lights = lights.collect();
-    let mut loaded = assemble(&file, objects, lights, environment, motion, report);
+    let punctual = file.punctual.iter().map(|light| light.bound(&whole));
+    let mut punctual: Vec<_> = lifted.into_iter().chain(punctual).collect();
+    for (entry, body) in file.objects.iter().zip(&whole) {
+        let model = &models[entry.mesh.as_path()];
+        let lights = model.lights.iter().filter(|_| entry.lights);
+        punctual.extend(lights.map(|light| of_file(light, entry, body.start)));
+    }
+    let lights = (lights, punctual);
+    let view = match &file.view {
+        Some(name) => Some(camera(path, name, &file, &models)?),
+        None => None,
+    };
+    let seen = (environment, view);
+    let mut loaded = assemble(&file, objects, lights, seen, motion, report);
     let Loaded {
         scene,
         motion,
@@ -294,6 +330,57 @@ impl FitReport {
             time: fitted.time,
             cached: fitted.cached,
         }
+    }
+}
+
+/// A camera of one of the scene's files, by its name or number, where its object has it.
+fn camera(
+    path: &Path,
+    wanted: &CameraName,
+    file: &SceneFile,
+    models: &BTreeMap<&Path, Model>,
+) -> Result<Camera, Error> {
+    let all = file.objects.iter().flat_map(|entry| {
+        let cameras = models[entry.mesh.as_path()].cameras.iter();
+        cameras.map(move |camera| (camera, Affine3A::from(entry.place)))
+    });
+    let number = wanted.name.parse::<usize>();
+    let called = |(index, (camera, _)): &(usize, (&ModelCamera, Affine3A))| {
+        camera.name == wanted.name || number == Ok(*index)
+    };
+    let Some((_, (found, place))) = all.clone().enumerate().find(called) else {
+        let names: Vec<String> = all
+            .map(|(camera, _)| format!("{:?}", camera.name))
+            .collect();
+        let known = match names.is_empty() {
+            true => "the files have none".into(),
+            false => format!("the files have {}", names.join(", ")),
+        };
+        return Err(Error::Scene {
+            path: path.to_path_buf(),
+            line: wanted.line,
+            message: format!("camera.name is {:?}, but {known}.", wanted.name),
+        });
+    };
+    let eye = place.transform_point3(found.eye);
+    let ahead = place
+        .transform_vector3(found.ahead)
+        .normalize_or(Vec3::NEG_Z);
+    Ok(Camera {
+        eye,
+        target: eye + ahead * (2.0 * Camera::nearest(eye)).max(1.0),
+        fov: file.fov.unwrap_or(found.fov),
+    })
+}
+
+/// A light of a mesh file: it goes where the body does, but for a sun, which is turned as the body is at first.
+fn of_file(light: &PunctualLight, entry: &ObjectEntry, body: usize) -> PunctualLight {
+    match light.shape {
+        PunctualShape::Sun { .. } => light.turned(entry.place.rotation),
+        _ => PunctualLight {
+            object: Some(body),
+            ..*light
+        },
     }
 }
 
@@ -331,12 +418,13 @@ fn of_entry(entry: &ObjectEntry, model: &Model, set: &SphereSet, first: usize) -
 fn assemble(
     file: &SceneFile,
     objects: Vec<Object>,
-    lights: Vec<AreaLight>,
-    environment: sh_scene::EnvironmentMap,
+    (lights, punctual): (Vec<AreaLight>, Vec<PunctualLight>),
+    (environment, view): (EnvironmentMap, Option<Camera>),
     mut motion: Motion,
     report: Report,
 ) -> Loaded {
     let mut scene = Scene {
+        punctual,
         objects,
         environment,
         lights,
@@ -351,7 +439,7 @@ fn assemble(
     let [low, high] = bounds.unwrap_or([Vec3::ZERO; 2]);
     let fov = file.fov.unwrap_or(Camera::FOV);
     let framing = Camera::framing(low, high, fov);
-    scene.camera = match (file.eye.map(Vec3::from), file.target.map(Vec3::from)) {
+    let chosen = match (file.eye.map(Vec3::from), file.target.map(Vec3::from)) {
         (Some(eye), target) => {
             let target = target.unwrap_or(framing.target);
             let near = eye.distance(target) < Camera::nearest(target);
@@ -374,6 +462,7 @@ fn assemble(
         }
         (None, None) => framing,
     };
+    scene.camera = view.unwrap_or(chosen);
     scene.ground = file.ground.then(|| Ground {
         height: file.ground_height.unwrap_or(low.y),
         albedo: file.ground_albedo,

@@ -23,12 +23,16 @@ pub fn load_mesh(path: &Path) -> Result<Model, Error> {
     let gltf::Loaded {
         parts: raw,
         figure,
+        cameras,
+        lights,
         mut warnings,
     } = match ending.as_str() {
         "gltf" | "glb" => gltf::load(path, &read(path)?)?,
         "obj" => gltf::Loaded {
             parts: vec![obj::load(path, &read(path)?)?],
             figure: None,
+            cameras: Vec::new(),
+            lights: Vec::new(),
             warnings: Vec::new(),
         },
         _ => {
@@ -64,6 +68,8 @@ pub fn load_mesh(path: &Path) -> Result<Model, Error> {
     Ok(Model {
         parts,
         figure,
+        cameras,
+        lights,
         warnings,
     })
 }

@@ -1,6 +1,6 @@
 //! What a scene file says of an object.
 
-use crate::error::Error;
+use crate::error::{Error, file_name};
 use crate::indirect;
 use crate::keys::{FAR, Section, Source, albedo, beside};
 
@@ -20,6 +20,8 @@ pub(crate) struct ObjectEntry {
     pub(crate) spheres: usize,
     /// By what it sends light on, if not as the scene has it.
     pub(crate) method: Option<Method>,
+    /// Whether the lights of its file are in the scene.
+    pub(crate) lights: bool,
     pub(crate) place: Place,
     pub(crate) albedo: Option<[f32; 3]>,
     pub(crate) roughness: Option<f32>,
@@ -46,6 +48,7 @@ impl ObjectEntry {
             name: None,
             spheres: SPHERES,
             method: None,
+            lights: true,
             place: REST,
             albedo: None,
             roughness: None,
@@ -67,6 +70,7 @@ impl ObjectEntry {
             "blockers",
             "spheres",
             "method",
+            "lights",
             "translate",
             "rotate",
             "scale",
@@ -91,6 +95,7 @@ impl ObjectEntry {
             name: s.string("name")?.map(String::from),
             spheres: spheres(&s)?,
             method: indirect::method(&s)?,
+            lights: s.boolean("lights")?.unwrap_or(true),
             place,
             albedo: albedo(&s)?,
             roughness: s.number("roughness", "from 0 to 1", |n| (0.0..=1.0).contains(&n))?,
@@ -196,4 +201,32 @@ fn keys(s: &Section, rest: Place) -> Result<Option<Keys>, Error> {
     Keys::new(keys, repeat.unwrap_or(false))
         .map(Some)
         .map_err(|e| s.error("keys", format!("cannot be followed: {e}.")))
+}
+
+/// Which object a light is bound to.
+pub(crate) fn bound(s: &Section, objects: &[ObjectEntry]) -> Result<Option<usize>, Error> {
+    let Some(name) = s.string("object")? else {
+        return Ok(None);
+    };
+    let called = |entry: &ObjectEntry| match &entry.name {
+        Some(name) => name.clone(),
+        None => file_name(&entry.mesh),
+    };
+    let names: Vec<String> = objects.iter().map(called).collect();
+    let mut found = (0..names.len()).filter(|&i| names[i] == name);
+    match (found.next(), found.next()) {
+        (Some(index), None) => Ok(Some(index)),
+        (Some(_), Some(_)) => {
+            let message = format!(
+                "is {name:?}, but several objects are called so: give one a name of its own, name = \"...\"."
+            );
+            Err(s.error("object", message))
+        }
+        (None, _) => {
+            let names = names.join(", ");
+            let message =
+                format!("is {name:?}, but no object is called so; the objects are {names}.");
+            Err(s.error("object", message))
+        }
+    }
 }

@@ -165,6 +165,22 @@ const WRONG: &[(&str, &[&str])] = &[
         "joint_out_of_range.gltf",
         &["JOINTS_0: joint 3 is out of range 0..1"],
     ),
+    (
+        "light_missing.gltf",
+        &["nodes[2].extensions.khrLightsPunctual.light: Index out of bounds"],
+    ),
+    (
+        "light_of_no_kind.gltf",
+        &["khrLightsPunctual.lights[0].type: Invalid value"],
+    ),
+    (
+        "light_spot_without_cone.gltf",
+        &["khrLightsPunctual.lights[0].spot: Missing data"],
+    ),
+    (
+        "light_without_lights.gltf",
+        &["nodes[2].extensions.khrLightsPunctual.light: Index out of bounds"],
+    ),
     ("nan_pixel.exr", &["pixel (column 2, row 1) has green NaN"]),
     (
         "nan_position.gltf",

@@ -3,7 +3,7 @@
 use glam::{Affine3A, Vec3};
 use sh_bake::{SphereSet, load_environment, load_mesh, load_scene, shapes};
 use sh_scene::plan::{Domain, Plan};
-use sh_scene::{AreaShape, Mesh, View};
+use sh_scene::{AreaShape, Mesh, PunctualLight, PunctualShape, View};
 use std::path::{Path, PathBuf};
 
 fn good(name: &str) -> PathBuf {
@@ -140,6 +140,95 @@ fn an_object_sends_light_on_by_a_method_of_its_own() {
     let said = |w: &String| w.contains("polygon.obj asks for method") && w.contains("[indirect]");
     assert!(unlit.report.warnings.iter().any(said));
     assert!(unlit.scene.objects[0].basis.is_none());
+}
+
+/// Spots, points and suns of a scene file and of glTF files, which go where their object does; candela become watts, which is said.
+#[test]
+fn lights_with_sharp_shadows_are_read() {
+    let loaded = load_scene(&good("lights.toml")).unwrap();
+    let lights = &loaded.scene.punctual;
+    assert_eq!(lights.len(), 5, "{lights:?}");
+    let placed: Vec<_> = lights
+        .iter()
+        .map(|light| light.placed(&loaded.scene.objects).unwrap())
+        .collect();
+    let near = |a: Vec3, b: [f32; 3]| assert!(a.abs_diff_eq(b.into(), 1e-5), "{a} {b:?}");
+    let PunctualShape::Spot {
+        position,
+        towards,
+        angle,
+        blend,
+        radius,
+    } = placed[0].shape
+    else {
+        panic!("{:?}", placed[0]);
+    };
+    near(position, [0.0, 1.0, 0.0]);
+    near(towards, [-2.0, 0.0, 0.0]);
+    assert!((angle - 60.0_f32.to_radians()).abs() < 1e-6);
+    assert!(blend == 0.5 && (radius - 0.1).abs() < 1e-6);
+    assert_eq!(placed[0].intensity, [10.0, 5.0, 0.0]);
+    let PunctualShape::Sun { direction, .. } = placed[1].shape else {
+        panic!("{:?}", placed[1]);
+    };
+    near(direction, [0.0, 1.0, 0.0]);
+    assert_eq!(placed[1].intensity, [3.0, 2.0, 1.0]);
+
+    // The file's own: its node is 10 m along x, which the object turns to -z.
+    let PunctualShape::Spot {
+        position,
+        towards,
+        angle,
+        blend,
+        ..
+    } = placed[2].shape
+    else {
+        panic!("{:?}", placed[2]);
+    };
+    near(position, [0.0, 4.0, -10.0]);
+    near(towards, [0.0, -1.0, 0.0]);
+    assert!((angle - 0.8).abs() < 1e-6 && (blend - 0.25).abs() < 1e-6);
+    assert_eq!(placed[2].intensity, [2.0, 1.0, 0.5]);
+    let PunctualShape::Point { position, .. } = placed[3].shape else {
+        panic!("{:?}", placed[3]);
+    };
+    near(position, [3.0, 3.0, -11.0]);
+    assert_eq!(placed[3].intensity, [1.0; 3]);
+    let PunctualShape::Sun { direction, .. } = placed[4].shape else {
+        panic!("{:?}", placed[4]);
+    };
+    near(direction, [0.0, 1.0, 0.0]);
+    assert_eq!(placed[4].intensity, [3.0; 3]);
+    // The file's camera stands 4 m before its node, which is 10 m along x; the object turns that to -z, and looks along -x.
+    let camera = loaded.scene.camera;
+    near(camera.eye, [4.0, 1.0, -10.0]);
+    near((camera.target - camera.eye).normalize(), [-1.0, 0.0, 0.0]);
+    assert_eq!(camera.fov, 0.5);
+    assert!(
+        loaded
+            .scene
+            .environment
+            .pixels
+            .iter()
+            .all(|p| *p == [0.0; 3])
+    );
+    let said = |text: &str| {
+        let all = loaded.report.warnings.iter();
+        all.filter(|w| w.contains("lights.gltf") && w.contains(text))
+            .count()
+    };
+    assert_eq!(["its 3 lights", "range", "orthographic"].map(said), [1; 3]);
+    let lifted = load_scene(&good("lifted.toml")).unwrap();
+    let sun = &lifted.scene.punctual[..];
+    assert!(matches!(
+        sun,
+        [PunctualLight {
+            shape: PunctualShape::Sun { .. },
+            ..
+        }]
+    ));
+    let said = |w: &String| w.starts_with("The sun of the built-in sky, ");
+    assert!(lifted.report.warnings.iter().any(said));
 }
 
 /// Lamps of a scene file: bound to an object by its name or that of its file, and bright where they say.

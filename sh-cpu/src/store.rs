@@ -3,6 +3,7 @@
 use crate::device::cut::Cuts;
 use crate::device::geometry::Geometry;
 use crate::device::light_cuts::LightCuts;
+use crate::device::light_views::Views;
 use crate::device::patch_cut::PatchCuts;
 use crate::device::patch_lights::PatchLights;
 use crate::device::spherical_lights::{Points, SphericalLights};
@@ -18,14 +19,17 @@ pub(crate) struct Store<'a, 's> {
     pub scene: &'a Scene,
     pub spheres: Spheres<'s>,
     pub sets: Sets<'a>,
+    /// What rays are cast against; none where no pass casts any.
+    pub geometry: Option<Geometry<'a>>,
+    /// Lights with sharp shadows, and what they see.
+    pub views: &'s mut Views,
     /// What a camera sees; none where receivers are the caller's.
-    pub camera: Option<Camera<'a>>,
+    pub camera: Option<Camera>,
 }
 
 /// A camera and its picture.
-pub(crate) struct Camera<'a> {
+pub(crate) struct Camera {
     pub view: View,
-    pub geometry: Geometry<'a>,
     pub pixels: Vec<[f32; 3]>,
     /// What is given of every pixel besides.
     pub given: Given,
@@ -98,13 +102,15 @@ impl Sets<'_> {
                 eye: None,
             },
             // Pixels are made of samples; the others have no receivers, and no pass over them asks for any.
-            Domain::Samples | Domain::Pixels | Domain::Spheres | Domain::Scene => Set {
-                receivers: &self.samples.receivers,
-                clusters: &self.sample_clusters,
-                radiance: &mut self.radiance,
-                sent: None,
-                eye: None,
-            },
+            Domain::Samples | Domain::Pixels | Domain::Spheres | Domain::Views | Domain::Scene => {
+                Set {
+                    receivers: &self.samples.receivers,
+                    clusters: &self.sample_clusters,
+                    radiance: &mut self.radiance,
+                    sent: None,
+                    eye: None,
+                }
+            }
         }
     }
 }
@@ -189,7 +195,7 @@ pub(crate) struct Counts {
 /// cache what the one before it wrote.
 const BAND: u32 = 2;
 
-impl Camera<'_> {
+impl Camera {
     /// How many bands the samples have.
     pub fn bands(&self) -> u32 {
         self.view.samples().tiles().rows.div_ceil(BAND)

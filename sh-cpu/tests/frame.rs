@@ -19,6 +19,7 @@ use sh_scene::{
     AreaLight, Domain, EnvironmentMap, Ground, Indirect, Method, PASSES, Plan, PlanError, Receiver,
     Scene, View,
 };
+use sh_scene::{PunctualLight, PunctualShape};
 use std::sync::Mutex;
 
 /// A ball on the ground under an even sky.
@@ -193,7 +194,13 @@ fn half_resolution_keeps_the_bounced_light() {
 /// The passes of a plan are what runs, and each has something to do.
 #[test]
 fn what_runs_is_what_the_plan_says() {
-    let mut scenes = vec![ball(), two_balls(), two_balls_by_patches()];
+    let mut sharp = two_balls();
+    let shape = PunctualShape::Point {
+        position: 3.0 * Vec3::Y,
+        radius: 0.1,
+    };
+    sharp.punctual = vec![PunctualLight::new(shape, [9.0; 3])];
+    let mut scenes = vec![ball(), two_balls(), two_balls_by_patches(), sharp];
     for scene in scenes.clone() {
         let mut half = scene.clone();
         half.settings.half_resolution = true;

@@ -93,6 +93,26 @@ pub enum Error {
         /// How many fit.
         capacity: u32,
     },
+    /// Other lights with sharp shadows than the pass was made for.
+    #[error(
+        "{lights} spots, points and suns have {views} views, but the passes were made for {expected} with {made_for}"
+    )]
+    Punctual {
+        /// How many lights there are.
+        lights: usize,
+        /// How many pictures are taken from them.
+        views: usize,
+        /// How many lights there were.
+        expected: usize,
+        /// How many views they had.
+        made_for: usize,
+    },
+    /// A light with sharp shadows that is none.
+    #[error("{problem}")]
+    PunctualLight {
+        /// What is wrong with it.
+        problem: String,
+    },
     /// Lamps with a distribution, for a pass that was made without.
     #[error("an analytic light has a distribution, but the pass was made for even ones")]
     Distributions,
@@ -203,6 +223,14 @@ pub enum Error {
         /// Those of the map that it would replace.
         uploaded: [u32; 2],
     },
+}
+
+impl From<sh_scene::LightError> for Error {
+    fn from(error: sh_scene::LightError) -> Self {
+        Self::PunctualLight {
+            problem: error.to_string(),
+        }
+    }
 }
 
 impl From<wgpu::Error> for Error {

@@ -8,7 +8,7 @@ use wgpu::{
 };
 
 /// Records of which one buffer holds several, a few hundred bytes apart: they are bound with an offset.
-const SEVERAL: [&str; 3] = ["Band", "Body", "ScreenSource"];
+const SEVERAL: [&str; 4] = ["Band", "Body", "LightView", "ScreenSource"];
 
 /// The layout of a group, and the kernels' names of what is in it.
 #[derive(Debug)]

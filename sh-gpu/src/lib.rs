@@ -115,6 +115,7 @@ mod lighting;
 mod pipeline;
 mod pipelines;
 mod plain;
+mod punctual;
 pub mod records;
 mod renderer;
 mod resolve;
@@ -128,6 +129,7 @@ mod surfaces;
 mod upload;
 mod upsample;
 mod vertices;
+mod views;
 mod watch;
 
 pub use bands::Bands;

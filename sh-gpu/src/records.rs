@@ -28,6 +28,26 @@ pub struct Lighting {
     pub coefficients: [[f32; 4]; MOST_COEFFICIENTS],
 }
 
+/// `struct PunctualScene`: how many lights with sharp shadows there are, and where the pictures of what they see lie.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct PunctualScene {
+    /// Lights.
+    pub lights: u32,
+    /// Views from them.
+    pub views: u32,
+    /// Texels along the side of a view.
+    pub side: u32,
+    /// Views along the side of the picture that holds them all.
+    pub across: u32,
+    /// 1 where there is a ground plane.
+    pub ground: u32,
+    /// Its height, in metres.
+    pub ground_height: f32,
+    /// 0.
+    pub tail: [u32; 2],
+}
+
 /// `struct Band`: a horizontal band of a grid of rays through the picture, and the camera.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]

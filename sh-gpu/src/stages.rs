@@ -4,14 +4,16 @@ use crate::bases::{Bases, Gathering};
 use crate::buffers::Buffers;
 use crate::inputs::Inputs;
 use crate::plain::Plain;
+use crate::punctual::PunctualPass;
 use crate::surfaces::Surfaces;
+use crate::views::Views;
 use crate::{
     Bands, Bodies, Bound, Drawn, Error, GbufferPass, HalfBinding, IrradiancePass, LightGatherPass,
     Pipelines, ResolvePass, RestBinding, ShadowOptions, ShadowPass, UpsampleBound, UpsamplePass,
 };
 use sh_scene::passes::{
-    BASIS_GATHER, BASIS_UPDATE, GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, POINTS, RESOLVE,
-    SCATTER, SHADOW, SHARES, UPSAMPLE,
+    BASIS_GATHER, BASIS_UPDATE, GBUFFER, IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, LIGHT_VIEW,
+    POINTS, PUNCTUAL, RESOLVE, SCATTER, SHADOW, SHARES, UPSAMPLE,
 };
 use sh_scene::resource::{ALBEDO, EMISSION, PICTURE, RADIANCE, RECEIVERS, SENT, SHARE, UPSAMPLED};
 use sh_scene::{Domain, Pass, Plan, Planned, Resource, Scene};
@@ -75,6 +77,13 @@ pub(crate) enum Work {
         bound: Vec<Bound>,
         /// What has to be cleared before the first band, or in every turn.
         cleared: Option<Buffer>,
+    },
+    LightView {
+        views: Arc<Views>,
+    },
+    Punctual {
+        pass: PunctualPass,
+        bound: Vec<Bound>,
     },
     Shares {
         pass: Arc<UpsamplePass>,
@@ -165,6 +174,8 @@ impl Stage {
             Work::Gbuffer { pass, bound } => {
                 pass.record(encoder, bands, band, bodies, &bound[at], stamps);
             }
+            Work::LightView { views } => views.record(encoder, bodies, stamps),
+            Work::Punctual { pass, bound } => pass.record(encoder, &bound[at], writes),
             Work::Irradiance { pass, bound } => pass.record(encoder, &bound[at], writes),
             Work::Shadow { pass, bound } => pass.record(encoder, &bound[at], writes),
             Work::LightGather {
@@ -200,7 +211,9 @@ impl Stage {
             Work::LightUpdate { surfaces, bound } => surfaces.update_dispatches(bound),
             Work::BasisUpdate { bases, bound } => bases.update_dispatches(bound),
             Work::Gbuffer { bound, .. } => all(bound) + bound.len() * drawn,
+            Work::LightView { views } => views.dispatches(drawn),
             Work::Irradiance { bound, .. }
+            | Work::Punctual { bound, .. }
             | Work::Shadow { bound, .. }
             | Work::LightGather { bound, .. }
             | Work::BasisGather { bound, .. }
@@ -230,6 +243,7 @@ impl Stage {
             Work::Points { surfaces, .. } => surfaces.bytes(),
             Work::PatchPoints { bases, .. } => bases.bytes(),
             Work::Gbuffer { pass, .. } => pass.bytes(),
+            Work::LightView { views } => views.bytes(),
             Work::Irradiance { pass, .. } => pass.bytes(),
             Work::Resolve { pass, .. } => pass.bytes(),
             _ => return None,
@@ -252,13 +266,19 @@ pub(crate) struct Setup<'a> {
     pub upsample: Option<&'a Arc<UpsamplePass>>,
     pub surfaces: Option<&'a Arc<Surfaces>>,
     pub bases: Option<&'a Arc<Bases>>,
+    pub views: Option<&'a Arc<Views>>,
 }
 
 /// How a pass of the table is made.
 type Make = fn(&Setup, Domain) -> Result<Work, Error>;
 
 /// Those that are more than a kernel over buffers of the frame; all others are [`Plain`].
-static MAKERS: [(&Pass, Make); 12] = [
+static MAKERS: [(&Pass, Make); 14] = [
+    (&LIGHT_VIEW, |setup, _| {
+        let views = shared(setup.views, "light_view")?;
+        Ok(Work::LightView { views })
+    }),
+    (&PUNCTUAL, punctual),
     (&POINTS, points),
     (&LIGHT_UPDATE, light_update),
     (&BASIS_UPDATE, basis_update),
@@ -531,6 +551,17 @@ fn irradiance(setup: &Setup, at: Domain) -> Result<Work, Error> {
         pass.bind(device, receivers, radiance)
     })?;
     Ok(Work::Irradiance { pass, bound })
+}
+
+fn punctual(setup: &Setup, at: Domain) -> Result<Work, Error> {
+    let views = shared(setup.views, "punctual")?;
+    let order = setup.scene.settings.order;
+    let kinds = [views.draws(), at == Domain::Gloss];
+    let pass = PunctualPass::new(setup.pipelines, order, &views, kinds)?;
+    let bound = setup.each(at, RADIANCE, |device, [receivers, radiance]| {
+        pass.bind(device, receivers, radiance)
+    })?;
+    Ok(Work::Punctual { pass, bound })
 }
 
 fn shadow(setup: &Setup, at: Domain) -> Result<Work, Error> {

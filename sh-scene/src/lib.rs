@@ -24,11 +24,13 @@ mod emitter;
 mod environment;
 mod finish;
 mod indirect;
+mod lift;
 mod light;
 mod lloyd;
 pub mod motion;
 pub mod order;
 pub mod plan;
+pub mod punctual;
 mod quality;
 mod records;
 pub mod ringing;
@@ -50,11 +52,13 @@ pub use emitter::{AreaLight, AreaShape, Emitter};
 pub use environment::EnvironmentMap;
 pub use finish::Finish;
 pub use indirect::{Blocking, Indirect, Method};
+pub use lift::Lifted;
 pub use light::{Light, LightError};
 pub use plan::{
     Buffer, Domain, LeftOut, PASSES, Part, Pass, Plan, PlanError, Planned, Resource, Shader, Step,
     passes, resource,
 };
+pub use punctual::{LightView, LightViews, PunctualLight, PunctualRecord, PunctualShape};
 pub use quality::Quality;
 pub use records::{Receiver, Sphere};
 pub use scene::{Ground, Material, Mesh, Object, Scene, Settings};

@@ -47,9 +47,26 @@ pub enum LightError {
     /// The part of a ball that glows is none.
     #[error("the glowing part of a light spreads over {} degrees, but it has to be above 0 and at most 180", .0.to_degrees())]
     Spread(f32),
+    /// A light with sharp shadows that is darker than dark.
+    #[error("a light's intensity is {0:?}, but it has to be finite and not negative")]
+    Intensity([f32; 3]),
+    /// A spot that has no cone.
+    #[error("a spot's cone is {} degrees wide and fades over {blend} of that, but it has to be above 0 and below 180, over 0 to 1", .angle.to_degrees())]
+    Cone {
+        /// The angle of the cone, in radians.
+        angle: f32,
+        /// The part over which it fades.
+        blend: f32,
+    },
+    /// A spot or point that is no ball.
+    #[error("a light's position and radius have to be finite, and its radius not negative")]
+    Size,
+    /// A sun that is too large.
+    #[error("a sun's angular radius is {} degrees, but it has to be 0 to 45", .0.to_degrees())]
+    Sun(f32),
     /// A light that is bound to an object, where it has to be placed in the world.
     #[error(
-        "a light is bound to an object, but its place in the world is needed: AreaLight::placed tells it"
+        "a light is bound to an object, but its place in the world is needed: `placed` tells it"
     )]
     Unplaced,
     /// A light that is bound to what is not there, or that is at infinity.

@@ -2,7 +2,7 @@
 
 use crate::{
     AreaLight, Camera, EnvironmentMap, Finish, Forest, Indirect, IrradianceBasis, Light,
-    LightError, Limits, Quality, Sphere, SurfaceSamples, Texture,
+    LightError, Limits, PunctualLight, Quality, Sphere, SurfaceSamples, Texture,
 };
 use glam::{Affine3A, Vec3};
 use std::sync::Arc;
@@ -202,6 +202,8 @@ pub struct Scene {
     pub environment: EnvironmentMap,
     /// Analytic lights besides it.
     pub lights: Vec<AreaLight>,
+    /// Lights with sharp shadows: spots, points and suns.
+    pub punctual: Vec<PunctualLight>,
     /// The plane everything stands on, if any.
     pub ground: Option<Ground>,
     /// Where the picture is taken from.

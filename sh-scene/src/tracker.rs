@@ -324,6 +324,7 @@ mod tests {
         };
         let lamp = |radiance| AreaLight::local(Vec3::Y, 0.1, radiance);
         Scene {
+            punctual: Vec::new(),
             objects: vec![object(0.0, 40), object(3.0, 20), object(6.0, 0)],
             environment: crate::Sky::default().map(32, 16),
             lights: vec![lamp([1.0; 3]), lamp([0.0; 3]), lamp([0.0, 2.0, 0.0])],

@@ -124,6 +124,7 @@ fn scene() -> (Scene, Motion) {
     motion.add_keys(1..2, Keys::new(keys, true).unwrap());
     motion.turn_environment(environment.clone(), 0.3, 0.5);
     let scene = Scene {
+        punctual: Vec::new(),
         objects: vec![object(mesh.clone()), object(mesh.clone()), object(mesh)],
         environment,
         lights: Vec::new(),

@@ -135,6 +135,7 @@ fn scene(turn: Quat, hard: bool) -> (Scene, Motion) {
     };
     motion.add_surfaces(std::slice::from_ref(&object));
     let scene = Scene {
+        punctual: Vec::new(),
         objects: vec![object],
         environment: EnvironmentMap::constant([1.0; 3]),
         lights: Vec::new(),

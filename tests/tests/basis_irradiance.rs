@@ -33,6 +33,7 @@ fn at(object: &Object, place: Vec3) -> Object {
 /// In an even sky of radiance 1.
 fn scene(objects: Vec<Object>, bounces: u32) -> Scene {
     Scene {
+        punctual: Vec::new(),
         objects,
         environment: EnvironmentMap::constant([1.0; 3]),
         lights: Vec::new(),

@@ -167,7 +167,7 @@ pub fn compare(options: &Options) -> Result<Comparison, Error> {
         let pictures = Pictures {
             scene: &scene,
             seen: &seen,
-            exposure: exposure(&light),
+            exposure: exposure(&light, &scene),
         };
         let spheres = balls::picture(&scene, &light, &emission, &seen);
         let ground = ground.as_ref().map(|truth| &truth.parts);

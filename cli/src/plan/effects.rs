@@ -10,7 +10,7 @@ use glam::Vec3;
 use serde::Serialize;
 use sh_bake::{Loaded, bake_surface};
 use sh_scene::motion::{Keys, Place};
-use sh_scene::{AreaLight, Indirect, Limits, Plan, Scene};
+use sh_scene::{AreaLight, Indirect, Limits, Plan, PunctualLight, PunctualShape, Scene};
 use std::fmt::Write;
 
 /// A row of the table.
@@ -80,7 +80,7 @@ fn set_in_motion(loaded: &mut Loaded) {
 /// An effect: its name, and what it changes.
 type Effect = (&'static str, fn(&mut Scene));
 
-const EFFECTS: [Effect; 7] = [
+const EFFECTS: [Effect; 8] = [
     ("environment light", |_| {}),
     ("+ shadows, sphere by sphere", |scene| {
         scene.settings.shadows = true;
@@ -92,6 +92,13 @@ const EFFECTS: [Effect; 7] = [
     ("+ a lamp", |scene| scene.lights.push(lamp(scene))),
     ("+ half resolution", |scene| {
         scene.settings.half_resolution = true;
+    }),
+    ("+ a sun with sharp shadows", |scene| {
+        let shape = PunctualShape::Sun {
+            direction: Vec3::new(0.4, 1.0, 0.3),
+            angle: 0.005,
+        };
+        scene.punctual.push(PunctualLight::new(shape, [1.0; 3]));
     }),
     ("+ indirect light, 1 bounce", |scene| {
         scene.settings.indirect = Some(Indirect::default());
@@ -122,6 +129,7 @@ pub(super) fn table(
     set_in_motion(&mut loaded);
     let scene = &mut loaded.scene;
     scene.lights.clear();
+    scene.punctual.clear();
     let settings = &mut scene.settings;
     (
         settings.shadows,

@@ -10,7 +10,9 @@ use sh_cpu::{Path, lane_count, multiply_adds_per_second};
 use sh_scene::basis::PATCH_SAMPLES;
 use sh_scene::plan::Units;
 use sh_scene::surface::DIRECTIONS;
-use sh_scene::{BasisBody, Domain, Forest, Grid, Object, Plan, Planned, Scene, View};
+use sh_scene::{
+    BasisBody, Domain, Forest, Grid, LightViews, Object, Plan, Planned, PunctualLight, Scene, View,
+};
 
 /// Places at which cuts are counted.
 const PLACES: usize = 64;
@@ -92,6 +94,11 @@ fn seconds(planned: &Planned, units: &Units, scene: &Scene, view: &View, rate: f
         Domain::Patches => BasisBody::all(&scene.objects)
             .map(|body| body.basis.patches() as f64)
             .sum(),
+        Domain::Views => {
+            let lights = scene.punctual.iter().filter(|light| light.shines());
+            let views = lights.map(PunctualLight::views).sum();
+            (views * LightViews::side(views).pow(2)) as f64
+        }
         Domain::Spheres => of_objects(&|o| o.spheres.len()),
         Domain::Halves => cells(view.halves()),
         Domain::Receivers | Domain::Samples | Domain::Pixels => cells(view.samples()),

@@ -129,7 +129,7 @@ pub fn render(options: &Options) -> Result<Report, Error> {
     let settings = scene.settings;
     let light = times.measure("light", || scene.light())?;
     // One for all frames, so that none flickers.
-    let exposure = exposure(&light) * options.stops.exp2();
+    let exposure = exposure(&light, &scene) * options.stops.exp2();
     let plan = Plan::giving(&scene, &[INVALID_SAMPLES]);
     let [width, height] = options.size;
     let view = View {

@@ -72,7 +72,7 @@ impl Studio {
             turned: None,
             lights: Vec::new(),
             surfaces: false,
-            exposure: exposure(&light),
+            exposure: exposure(&light, &loaded.scene),
             gpu,
             easels: Vec::new(),
             tracker: Tracker::default(),

@@ -92,7 +92,10 @@ fn a_plan_tells_passes_and_their_cost() {
         "{idle:?}"
     );
     assert_eq!(told["projections"], 0);
-    assert_eq!(names(&told["left_out"]), ["irradiance", "lamps"]);
+    assert_eq!(
+        names(&told["left_out"]),
+        ["irradiance", "punctual", "lamps"]
+    );
     let bytes = |list: &str| -> u64 {
         let all = told[list].as_array().expect("a list").iter();
         all.map(|entry| entry["bytes"].as_u64().expect("bytes"))
@@ -127,7 +130,7 @@ fn effects_are_switched_on_one_by_one() {
     let arguments = [&["plan", &scene, "--effects"], &SMALL[..]].concat();
     let rows: Vec<Value> =
         serde_json::from_str(&success(&[&arguments[..], &["--json"]].concat())).expect("JSON");
-    assert_eq!(rows.len(), 7);
+    assert_eq!(rows.len(), 8);
     let shaders: Vec<_> = rows.iter().map(|row| row["shaders"].as_u64()).collect();
     assert!(shaders.first() < shaders.last(), "{shaders:?}");
     for row in &rows {
@@ -144,9 +147,9 @@ fn effects_are_switched_on_one_by_one() {
     }
     // Points of eight spheres gather once, and the spheres send on once more.
     let tasks = |row: usize| rows[row]["dispatches"].as_u64().expect("a count");
-    assert_eq!(tasks(6) - tasks(5), 16);
+    assert_eq!(tasks(7) - tasks(6), 16);
     let text = success(&arguments);
-    assert_eq!(text.trim_end().lines().count(), 2 + 7, "{text}");
+    assert_eq!(text.trim_end().lines().count(), 2 + 8, "{text}");
 }
 
 #[test]

@@ -129,6 +129,7 @@ pub fn plane() -> Scene {
     let mut objects = vec![plane, pot.object()];
     told(&mut objects, FUNCTIONS);
     Scene {
+        punctual: Vec::new(),
         objects,
         environment: upper(Sky::default().map(128, 64)),
         lights: vec![AreaLight::local(
@@ -172,6 +173,7 @@ fn scene(pieces: Vec<Piece>) -> Scene {
     told(&mut objects, FUNCTIONS);
     let down = Distribution::cap(Vec3::NEG_Y, FRAC_PI_2);
     Scene {
+        punctual: Vec::new(),
         objects,
         environment: EnvironmentMap::constant([0.0; 3]),
         lights: vec![AreaLight {

@@ -30,6 +30,7 @@ impl Case {
     /// Other bodies in its place.
     pub fn with(&self, objects: Vec<Object>) -> Scene {
         Scene {
+            punctual: Vec::new(),
             objects,
             environment: Sky::default().map(128, 64),
             lights: (self.lamps)(),

@@ -28,7 +28,7 @@ pub(super) fn write(
     let pictures = Pictures {
         scene,
         seen: &sight.seen,
-        exposure: exposure(&light),
+        exposure: exposure(&light, scene),
     };
     let spheres = balls::picture(scene, &light, &ours.emission, &sight.seen);
     let mut rows = pictures.rows(&ours.parts, &sight.truth.parts, None, spheres);

@@ -16,7 +16,7 @@
 //!
 //! A receiver reflects with albedo 1, so that an even sky of radiance 1 gives 1 in the open; its own albedo is the
 //! caller's to multiply. Surfaces are shaded with the normals of their vertices, as pictures are. Balls that glow hide
-//! nothing and cast no shadow.
+//! nothing and cast no shadow; spots, points and suns are balls and discs that the camera does not see.
 //!
 //! ```
 //! use sh_reference::paths::{Options, PathTracer};
@@ -24,7 +24,7 @@
 //! # let camera = Camera { eye: glam::Vec3::Z, target: glam::Vec3::ZERO, fov: 1.0 };
 //! # let (objects, lights, ground, settings) = (vec![], vec![], None, Settings::default());
 //! let environment = EnvironmentMap::constant([2.0; 3]);
-//! let scene = Scene { objects, environment, lights, ground, camera, settings };
+//! let scene = Scene { punctual: vec![], objects, environment, lights, ground, camera, settings };
 //! let tracer = PathTracer::new(&scene, Options::default())?;
 //! let seen = tracer.radiance([0.0; 3], [0.0, 1.0, 0.0], 64, 1);
 //! assert!((seen.direct[0] - 2.0).abs() < 0.05 && seen.indirect == [0.0; 3]);
@@ -34,6 +34,7 @@
 mod lamps;
 mod mean;
 mod points;
+mod punctual;
 mod sky;
 mod surfaces;
 mod texture;
@@ -44,7 +45,8 @@ use lamps::{Lamp, cosine, cosine_density};
 use mean::Mean;
 pub use mean::Radiance;
 use points::{Points, mix};
-use sh_scene::{LightError, Scene};
+use punctual::Punctual;
+use sh_scene::{LightError, LightViews, Scene};
 use sky::{MapSky, Sky};
 use surfaces::{Met, Surfaces};
 
@@ -77,6 +79,7 @@ pub struct PathTracer<'a> {
     surfaces: Surfaces,
     sky: Sky<'a>,
     lamps: Vec<Lamp>,
+    punctual: Vec<Punctual>,
 }
 
 /// A point where a path is, and how the surface reflects there.
@@ -132,6 +135,11 @@ impl<'a> PathTracer<'a> {
                     Lamp::new(emitter, light.order, whole)
                 })
                 .collect(),
+            punctual: LightViews::of(scene)?
+                .lights
+                .iter()
+                .map(Punctual::new)
+                .collect(),
         })
     }
 
@@ -153,7 +161,7 @@ impl<'a> PathTracer<'a> {
     /// # let camera = Camera { eye: glam::Vec3::Z, target: glam::Vec3::ZERO, fov: 1.0 };
     /// # let (objects, lights, ground, settings) = (vec![], vec![], None, Settings::default());
     /// let environment = EnvironmentMap::constant([2.0; 3]);
-    /// let scene = Scene { objects, environment, lights, ground, camera, settings };
+    /// let scene = Scene { punctual: vec![], objects, environment, lights, ground, camera, settings };
     /// let tracer = PathTracer::new(&scene, Options::default())?;
     /// let seen = tracer.mirrored([[0.0; 3], [0.0, 1.0, 0.0]], ([0.6, 0.8, 0.0], 0.3), 64, 1);
     /// assert!((seen.direct[0] - 2.0).abs() < 0.05);
@@ -241,6 +249,17 @@ impl<'a> PathTracer<'a> {
                 *sum += factor * radiance;
             }
         };
+        for light in &self.punctual {
+            let sample = light.sample(place.start, points.pair());
+            let [counts, _] = place.counts(sample.direction);
+            if counts > 0.0
+                && !self
+                    .surfaces
+                    .blocked(place.start, sample.direction, sample.distance)
+            {
+                add(sample.radiance, counts / sample.density);
+            }
+        }
         if let Sky::Map(_) = &self.sky {
             let pair = points.pair();
             if let Some(sample) = self.sky.sample(pair).filter(|s| s.density > 0.0) {

@@ -5,6 +5,7 @@ mod gloss;
 mod ground;
 mod noise;
 mod open;
+mod punctual;
 mod spheres;
 
 use glam::{Affine3A, Vec3};
@@ -19,6 +20,7 @@ const DOWN: [f64; 3] = [0.0, -1.0, 0.0];
 /// Nothing but light from all around.
 fn scene(environment: EnvironmentMap) -> Scene {
     Scene {
+        punctual: Vec::new(),
         objects: Vec::new(),
         environment,
         lights: Vec::new(),

@@ -1,18 +1,21 @@
 //! glTF 2.0, read by the `gltf` crate.
 
 mod animation;
+mod cameras;
 mod check;
+mod lights;
 mod nodes;
 mod texture;
 
 use crate::error::{Error, one_line, shown};
+use crate::model::ModelCamera;
 use crate::raw::{Bind, RawFigure, RawPart, WHITE};
 use gltf::Gltf;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::buffer::{self, Data};
 use gltf::mesh::{Mode, Primitive, Semantic};
 use nodes::{Placed, Tree};
-use sh_scene::{Finish, Material};
+use sh_scene::{Finish, Material, PunctualLight};
 use std::path::Path;
 
 /// Required extensions that change nothing of what is read here.
@@ -24,6 +27,10 @@ pub(crate) struct Loaded {
     pub(crate) parts: Vec<RawPart>,
     /// What moves them; none where the file has no animations.
     pub(crate) figure: Option<RawFigure>,
+    /// Its cameras, in its space.
+    pub(crate) cameras: Vec<ModelCamera>,
+    /// Its lights, in its space.
+    pub(crate) lights: Vec<PunctualLight>,
     /// What was passed over.
     pub(crate) warnings: Vec<String>,
 }
@@ -60,6 +67,8 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<Loaded, Error> {
     };
     let tree = Tree::new(&document, &scene, &buffers).map_err(wrong)?;
     let clips = animation::clips(&document, &tree, &buffers, &mut warnings).map_err(wrong)?;
+    let cameras = cameras::all(&tree, &mut warnings);
+    let lights = lights::all(&tree, !clips.is_empty(), &mut warnings);
     for warning in &mut warnings {
         *warning = format!("{}: {warning}", shown(path));
     }
@@ -114,6 +123,8 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<Loaded, Error> {
     Ok(Loaded {
         parts,
         figure,
+        cameras,
+        lights,
         warnings,
     })
 }

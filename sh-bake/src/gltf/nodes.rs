@@ -35,6 +35,10 @@ pub(crate) struct Tree<'a> {
     /// For each mesh without a skin the node it stands on; for each with one the skin's joints, and a bone that
     /// stays in the origin, for vertices without weights.
     pub(crate) bones: Vec<Bone>,
+    /// The cameras of nodes, with the nodes' names, and what takes their space to the scene's.
+    pub(crate) cameras: Vec<(gltf::Camera<'a>, Option<String>, Mat4)>,
+    /// The lights of nodes, and what takes their space to the scene's.
+    pub(crate) lights: Vec<(gltf::khr_lights_punctual::Light<'a>, Mat4)>,
 }
 
 impl<'a> Tree<'a> {
@@ -48,6 +52,7 @@ impl<'a> Tree<'a> {
         let mut world: Vec<Option<Mat4>> = vec![None; count];
         let (mut joints, mut joint_of) = (Vec::new(), vec![None; count]);
         let mut standing = Vec::new();
+        let (mut lights, mut cameras) = (Vec::new(), Vec::new());
         let mut open: Vec<_> = scene
             .nodes()
             .map(|node| (node, Mat4::IDENTITY, None))
@@ -71,6 +76,12 @@ impl<'a> Tree<'a> {
             let children = node.children();
             open.extend(children.map(|child| (child, above * local, Some(joint))));
             open[first..].reverse();
+            if let Some(light) = node.light() {
+                lights.push((light, above * local));
+            }
+            if let Some(camera) = node.camera() {
+                cameras.push((camera, node.name().map(String::from), above * local));
+            }
             if let Some(mesh) = node.mesh() {
                 standing.push((index, mesh, node.skin()));
             }
@@ -80,6 +91,8 @@ impl<'a> Tree<'a> {
             joints,
             joint_of,
             bones: Vec::new(),
+            lights,
+            cameras,
         };
         // Several meshes may share a skin.
         let mut skins: BTreeMap<usize, (u32, Rc<[Mat4]>)> = BTreeMap::new();

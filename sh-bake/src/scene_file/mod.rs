@@ -4,4 +4,4 @@ mod content;
 mod read;
 mod sections;
 
-pub(crate) use content::SceneFile;
+pub(crate) use content::{CameraName, SceneFile};

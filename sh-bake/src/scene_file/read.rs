@@ -61,7 +61,7 @@ impl SceneFile {
             objects: objects(&root_section, source, root)?,
             ..Self::default()
         };
-        scene.lights = lights::read(&root_section, path, &scene.objects)?;
+        (scene.lights, scene.punctual) = lights::read(&root_section, path, &scene.objects)?;
         let section = |name: &'static str, known: &[&str]| match root.get(name) {
             None => Ok(None),
             Some(value) => {
@@ -170,7 +170,7 @@ mod tests {
             (scene.settings.order, scene.settings.window),
             (4, Some(8.0))
         );
-        assert_eq!(scene.lights.len(), 2);
+        assert_eq!((scene.lights.len(), scene.punctual.len()), (2, 1));
         assert_eq!(scene.lights[1].object, Some(0));
         assert!(scene.lights[1].light.distribution.is_some());
         assert!(!scene.settings.half_resolution);
@@ -312,6 +312,34 @@ mod tests {
             (
                 "[[lights]]\ncenter = [0, 1, 0]\nradius = 1\nradiance = 1\ndistribution = [1, [2, 3], 4, 5]",
                 "line 7: lights.distribution has to be a list of numbers, or of triples",
+            ),
+            (
+                "[[lights]]\nkind = \"lamp\"",
+                "line 4: lights.kind is \"lamp\", but it has to be \"spot\", \"point\" or \"sun\"",
+            ),
+            (
+                "[[lights]]\nintensity = 2\nradiance = 1",
+                "line 4: lights.intensity is for a light with sharp shadows",
+            ),
+            (
+                "[[lights]]\nkind = \"point\"\nposition = [0, 1, 0]\nangle = 3\nintensity = 1",
+                "line 6: lights.angle has no place in a point, which has position, radius,",
+            ),
+            (
+                "[[lights]]\nkind = \"spot\"\nposition = [0, 1, 0]\nintensity = 1",
+                "line 3: lights.towards is missing: it is the way that a spot shines.",
+            ),
+            (
+                "[[lights]]\nkind = \"spot\"\nposition = [0, 1, 0]\ntowards = [0, -1, 0]\nangle = 180\nintensity = 1",
+                "line 7: lights.angle is 180, but it has to be a number of degrees above 0 and below 180.",
+            ),
+            (
+                "[[lights]]\nkind = \"point\"\nposition = [0, 1, 0]",
+                "line 3: lights.intensity is missing: it is its radiant intensity",
+            ),
+            (
+                "[[lights]]\nkind = \"sun\"\ndirection = [0, 1, 0]\nintensity = 1\nobject = \"a.obj\"",
+                "line 7: lights.object has no place in a sun",
             ),
             (
                 "[settings]\nshadows = 1",

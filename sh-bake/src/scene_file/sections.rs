@@ -1,6 +1,6 @@
 //! The tables of a scene file that are about the whole scene.
 
-use super::content::SceneFile;
+use super::content::{CameraName, SceneFile};
 use crate::error::Error;
 use crate::keys::{FAR, Section, albedo, beside};
 use glam::Vec3;
@@ -9,11 +9,12 @@ use sh_scene::{Camera, Limits};
 use std::path::Path;
 
 /// Keys of [environment].
-pub(super) const ENVIRONMENT: [&str; 4] = ["map", "rotation", "turn", "intensity"];
+pub(super) const ENVIRONMENT: [&str; 6] =
+    ["map", "rotation", "turn", "intensity", "sun", "enabled"];
 /// Keys of [ground].
 pub(super) const GROUND: [&str; 3] = ["height", "albedo", "enabled"];
 /// Keys of [camera].
-pub(super) const CAMERA: [&str; 3] = ["eye", "target", "fov"];
+pub(super) const CAMERA: [&str; 4] = ["eye", "target", "fov", "name"];
 /// Keys of [settings].
 pub(super) const SETTINGS: [&str; 7] = [
     "order",
@@ -36,6 +37,21 @@ impl SceneFile {
         self.intensity = s
             .number("intensity", "from 0 to 1e6", |n| (0.0..=1e6).contains(&n))?
             .unwrap_or(1.0);
+        self.sky = s.boolean("enabled")?.unwrap_or(true);
+        self.lift = match s.string("sun")? {
+            None | Some("keep") => false,
+            Some("lift") => true,
+            Some(other) => {
+                let message = format!("is \"{other}\", but it has to be \"keep\" or \"lift\".");
+                return Err(s.error("sun", message));
+            }
+        };
+        if self.lift && self.turn != 0.0 {
+            return Err(s.error(
+                "sun",
+                "has no place beside environment.turn: a sun that is lifted stands still.",
+            ));
+        }
         Ok(())
     }
 
@@ -53,6 +69,15 @@ impl SceneFile {
             (1.0..=170.0).contains(&n)
         })?;
         self.fov = fov.map(f32::to_radians);
+        self.view = s.string_or_count("name")?.map(|name| CameraName {
+            name,
+            line: s.line("name"),
+        });
+        if self.view.is_some()
+            && let Some(key) = ["eye", "target"].into_iter().find(|key| s.has(key))
+        {
+            return Err(s.error(key, "has no place beside camera.name: the file says it."));
+        }
         if let (Some(eye), Some(target)) = (self.eye, self.target) {
             let target = Vec3::from(target);
             if Vec3::from(eye).distance(target) < Camera::nearest(target) {

@@ -18,6 +18,7 @@ pub(crate) mod light_discs;
 pub(crate) mod light_order;
 pub(crate) mod light_sent;
 pub(crate) mod light_sums;
+pub(crate) mod light_views;
 pub(crate) mod logs;
 mod order;
 pub(crate) mod outline;

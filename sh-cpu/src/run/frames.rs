@@ -6,16 +6,18 @@ use crate::device::check::{check_environment, check_view};
 use crate::device::cut::Cuts;
 use crate::device::geometry::{Geometry, Hierarchy};
 use crate::device::light_cuts::LightCuts;
+use crate::device::light_views::Views;
 use crate::device::patch_cut::PatchCuts;
 use crate::device::patch_lights::PatchLights;
 use crate::device::spherical_lights::{Points, SphericalLights};
 use crate::error::Error;
 use crate::lanes::path::Path;
 use crate::store::{Camera, Counts, Sets, Spheres, Store};
-use sh_scene::passes::{BASIS_UPDATE, LIGHT_UPDATE};
+use sh_scene::passes::{BASIS_UPDATE, LIGHT_UPDATE, LIGHT_VIEW, PUNCTUAL};
 use sh_scene::resource::{Given, PICTURE, RADIANCE};
 use sh_scene::{
-    Buffer, Changes, Domain, Forest, Plan, Receiver, Scene, Settings, Step, Tracker, View,
+    Buffer, Changes, Domain, Forest, LightViews, Plan, Receiver, Scene, Settings, Step, Tracker,
+    View,
 };
 use std::ops::Range;
 use std::sync::Arc;
@@ -93,6 +95,7 @@ pub struct Frames {
     patch_lights: PatchLights,
     /// The points of patches that these were found with.
     patches: Points,
+    views: Views,
     /// The settings that `lights` were found with, if they were.
     lit: Option<Settings>,
 }
@@ -232,28 +235,39 @@ impl Frames {
         view: Option<View>,
         sets: Sets<'a>,
         progress: &(dyn Fn(f32) + Sync),
-    ) -> Result<(Done, (Option<Camera<'a>>, Sets<'a>)), Error> {
+    ) -> Result<(Done, (Option<Camera>, Sets<'a>)), Error> {
         let mut stages = Stages::default();
         let mut ledger = Ledger::new(plan);
-        let camera = match view {
-            Some(view) => {
-                let geometry = stages.time("hierarchy", || {
-                    Geometry::reusing(scene, self.hierarchy.as_ref())
-                })?;
-                self.hierarchy = Some(Arc::clone(geometry.hierarchy()));
-                let pixels = view.width as usize * view.height as usize;
-                Some(Camera {
-                    view,
-                    geometry,
-                    pixels: vec![[0.0; 3]; pixels],
-                    given: plan
-                        .besides()
-                        .map(|given| (given, vec![[0; 4]; pixels]))
-                        .collect(),
-                })
-            }
-            None => None,
+        let before = self.hierarchy.clone();
+        let geometry = match view.is_some() || plan.has(&LIGHT_VIEW) {
+            true => Some(stages.time("hierarchy", || Geometry::reusing(scene, before.as_ref()))?),
+            false => None,
         };
+        if let Some(geometry) = &geometry {
+            self.hierarchy = Some(Arc::clone(geometry.hierarchy()));
+        }
+        let camera = view.map(|view| {
+            let pixels = view.width as usize * view.height as usize;
+            Camera {
+                view,
+                pixels: vec![[0.0; 3]; pixels],
+                given: plan
+                    .besides()
+                    .map(|given| (given, vec![[0; 4]; pixels]))
+                    .collect(),
+            }
+        });
+        let seen = match plan.has(&PUNCTUAL) {
+            true => LightViews::of(scene)?,
+            false => LightViews::default(),
+        };
+        let still = |(old, new): (&Arc<Hierarchy>, &Arc<Hierarchy>)| Arc::ptr_eq(old, new);
+        let still = before
+            .as_ref()
+            .zip(self.hierarchy.as_ref())
+            .is_some_and(still);
+        // What lights with sharp shadows see is what it was, and so is what they give.
+        let unseen = self.views.take(seen, still, scene);
         let light = stages.time("light", || self.tracker.relight(scene).cloned())?;
         if plan.is_blocked() {
             stages.time("forest", || self.tracker.place(scene));
@@ -262,7 +276,7 @@ impl Frames {
         let surfaces = sends && self.tracker.resurface(scene);
         let same = self.tracker.changes().none() && !surfaces;
         // What spheres send on is what it was.
-        let kept = same && self.lit == Some(scene.settings);
+        let kept = same && self.lit == Some(scene.settings) && unseen;
         let mut store = Store {
             scene,
             spheres: Spheres {
@@ -283,12 +297,18 @@ impl Frames {
                 patches: std::mem::take(&mut self.patches),
                 ..sets
             },
+            geometry,
+            views: &mut self.views,
             camera,
         };
         let bands = store.camera.as_ref().map_or(0, Camera::bands);
         for Step { pass, part } in plan.steps(1, bands) {
             let planned = &plan.passes[pass];
-            if kept && planned.at.is_kept() {
+            let known = match planned.at {
+                Domain::Views => unseen,
+                at => kept && at.is_kept(),
+            };
+            if known {
                 continue;
             }
             let run = twin(planned.pass)?.run;

@@ -6,7 +6,9 @@ use crate::passes::basis_update::{basis_update, dark};
 use crate::passes::gbuffer::gbuffer;
 use crate::passes::invalid::invalid;
 use crate::passes::irradiance::{irradiance, mirrored};
+use crate::passes::light_view::light_view;
 use crate::passes::points::{place, place_patches};
+use crate::passes::punctual::punctual;
 use crate::passes::resolve::{SampleLight, resolve};
 use crate::passes::scatter::scatter;
 use crate::passes::shares::shares;
@@ -14,7 +16,7 @@ use crate::passes::upsample::upsample;
 use crate::store::{Camera, Store};
 use sh_scene::passes::{
     BASIS_GATHER, BASIS_UPDATE, GBUFFER, INVALID, INVALID_SAMPLES, IRRADIANCE, LIGHT_GATHER,
-    LIGHT_UPDATE, POINTS, RESOLVE, SCATTER, SHADOW, SHARES, UPSAMPLE,
+    LIGHT_UPDATE, LIGHT_VIEW, POINTS, PUNCTUAL, RESOLVE, SCATTER, SHADOW, SHARES, UPSAMPLE,
 };
 use sh_scene::plan::Facts;
 use sh_scene::{BasisBody, Body, Domain, Pass, Tiles, View};
@@ -29,7 +31,27 @@ pub(super) struct Twin {
 }
 
 /// All of them.
-static TWINS: [Twin; 13] = [
+static TWINS: [Twin; 15] = [
+    Twin {
+        pass: &LIGHT_VIEW,
+        run: |store, _, _, stages| {
+            let geometry = store.geometry.as_ref().ok_or(Error::NoCamera)?;
+            stages.time("light_view", || light_view(geometry, store.views));
+            Ok(store.views.seen.views.len() as u64)
+        },
+        memory: |store, _| vec![("what lights see", store.views.bytes())],
+    },
+    Twin {
+        pass: &PUNCTUAL,
+        run: |store, at, _, stages| {
+            let mut set = store.sets.of(at);
+            stages.time("punctual", || {
+                punctual(set.receivers, store.views, set.eye, set.room())
+            })?;
+            Ok(set.clusters.len() as u64)
+        },
+        memory: |_, _| Vec::new(),
+    },
     Twin {
         pass: &POINTS,
         run: |store, at, _, stages| {
@@ -88,10 +110,7 @@ static TWINS: [Twin; 13] = [
         pass: &GBUFFER,
         run: see,
         memory: |store, at| {
-            let triangles = store
-                .camera
-                .as_ref()
-                .map(|c| c.geometry.hierarchy().bytes());
+            let triangles = store.geometry.as_ref().map(|g| g.hierarchy().bytes());
             let sets = &store.sets;
             match at {
                 Domain::Halves => vec![(
@@ -307,18 +326,13 @@ pub(super) fn twin(pass: &Pass) -> Result<&'static Twin, Error> {
 
 fn see(store: &mut Store, at: Domain, band: u32, stages: &mut Stages) -> Result<u64, Error> {
     let camera = camera(&mut store.camera)?;
+    let geometry = store.geometry.as_ref().ok_or(Error::NoCamera)?;
     let (view, sets) = (camera.view, &mut store.sets);
     if at == Domain::Halves {
         // All of them at once: whatever lies underneath a band of samples is there.
         let (grid, tiles) = (view.halves(), view.halves().tiles());
         stages.time("gbuffer", || {
-            gbuffer(
-                &camera.geometry,
-                &view,
-                grid,
-                0..tiles.rows,
-                &mut sets.samples,
-            )
+            gbuffer(geometry, &view, grid, 0..tiles.rows, &mut sets.samples)
         })?;
         sets.halves.receivers = std::mem::take(&mut sets.samples.receivers);
         sets.half_clusters = tiles.clusters();
@@ -326,7 +340,7 @@ fn see(store: &mut Store, at: Domain, band: u32, stages: &mut Stages) -> Result<
     }
     let (grid, rows) = (view.samples(), camera.rows(band));
     stages.time("gbuffer", || {
-        gbuffer(&camera.geometry, &view, grid, rows, &mut sets.samples)
+        gbuffer(geometry, &view, grid, rows, &mut sets.samples)
     })?;
     sets.sample_clusters = camera.tiles(band).clusters();
     if store.scene.mirrors() {
@@ -336,7 +350,7 @@ fn see(store: &mut Store, at: Domain, band: u32, stages: &mut Stages) -> Result<
 }
 
 /// The camera, for a pass that needs one.
-fn camera<'s, 'a>(camera: &'s mut Option<Camera<'a>>) -> Result<&'s mut Camera<'a>, Error> {
+fn camera(camera: &mut Option<Camera>) -> Result<&mut Camera, Error> {
     camera.as_mut().ok_or(Error::NoCamera)
 }
 

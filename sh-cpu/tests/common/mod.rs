@@ -60,6 +60,7 @@ pub fn object(mesh: Mesh, transform: Affine3A) -> Object {
 /// `objects` under an even sky of radiance 1, seen from +Z.
 pub fn scene(objects: Vec<Object>) -> Scene {
     Scene {
+        punctual: Vec::new(),
         objects,
         environment: EnvironmentMap::constant([1.0; 3]),
         lights: Vec::new(),

@@ -8,9 +8,10 @@ use crate::buffers::Buffers;
 use crate::inputs::Inputs;
 use crate::stages::{Recording, Setup, Stage, Work, options, sends};
 use crate::surfaces::Surfaces;
+use crate::views::Views;
 use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, ShadowPass, UpsamplePass};
 use sent::Sent;
-use sh_scene::passes::{BASIS_GATHER, BASIS_UPDATE, SHADOW};
+use sh_scene::passes::{BASIS_GATHER, BASIS_UPDATE, LIGHT_VIEW, PUNCTUAL, SHADOW};
 use sh_scene::resource::PICTURE;
 use sh_scene::{
     BasisBody, Body, Domain, EnvironmentMap, Forest, Light, Plan, Resource, Scene, Step, View,
@@ -56,6 +57,7 @@ pub struct Renderer {
     upsample: Option<Arc<UpsamplePass>>,
     surfaces: Option<Arc<Surfaces>>,
     bases: Option<Arc<Bases>>,
+    views: Option<Arc<Views>>,
     stages: Vec<Stage>,
     /// The plan: what is recorded, in order.
     steps: Vec<Step>,
@@ -160,6 +162,14 @@ impl Renderer {
             }
             _ => None,
         };
+        let views = match plan.has(&PUNCTUAL) {
+            true => Some(Arc::new(Views::new(
+                pipelines,
+                scene,
+                plan.has(&LIGHT_VIEW),
+            )?)),
+            false => None,
+        };
         let points = [
             points.sum(),
             bases.as_ref().map_or(0, |bases| bases.points()),
@@ -178,6 +188,7 @@ impl Renderer {
             upsample: upsample.as_ref(),
             surfaces: surfaces.as_ref(),
             bases: bases.as_ref(),
+            views: views.as_ref(),
             buffers: &buffers,
         };
         let stages = plan.passes.iter().map(|planned| setup.stage(planned));
@@ -204,6 +215,7 @@ impl Renderer {
             upsample,
             surfaces,
             bases,
+            views,
         })
     }
 
@@ -224,7 +236,7 @@ impl Renderer {
         light: &Light,
         view: &View,
     ) -> Result<(), Error> {
-        let before = self.lights_uploaded();
+        let before = self.seen_uploaded();
         self.bands.prepare(queue, view, scene.ground)?;
         if let Some(halves) = &self.halves {
             halves.prepare(queue, view, scene.ground)?;
@@ -248,13 +260,19 @@ impl Renderer {
                 pass.prepare(queue, light)?;
             }
         }
-        if self.lights_uploaded() != before {
+        if let Some(views) = &self.views {
+            views.prepare(queue, scene)?;
+        }
+        if self.seen_uploaded() != before {
             self.sent.change();
         }
         // Bodies look the same from wherever.
         let eye = view.camera.eye.to_array();
         if let Some(inputs) = &self.inputs {
             inputs.lit.look_from(queue, eye);
+        }
+        if let Some(views) = &self.views {
+            views.look_from(queue, eye);
         }
         for stage in &self.stages {
             if let Work::Irradiance { pass, .. } = &stage.work {
@@ -268,6 +286,9 @@ impl Renderer {
     /// scene that bends.
     pub fn update_meshes(&self, queue: &Queue, scene: &Scene) -> Result<(), Error> {
         self.bodies.update_meshes(queue, scene)?;
+        if self.views.is_some() {
+            self.sent.change();
+        }
         if let Some(surfaces) = &self.surfaces {
             let before = surfaces.uploaded();
             surfaces.update_surfaces(queue, scene.objects.iter().map(Body::from))?;

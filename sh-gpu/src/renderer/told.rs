@@ -15,7 +15,19 @@ impl Renderer {
         let gather = self.gather.as_ref().map_or(0, |pass| pass.uploaded());
         let surfaces = self.surfaces.as_ref().map_or(0, |s| s.uploaded());
         let bases = self.bases.as_ref().map_or(0, |bases| bases.uploaded());
-        inputs + gather + surfaces + bases + self.stages.iter().map(Stage::uploaded).sum::<u64>()
+        let views = self.views.as_ref().map_or(0, |views| views.uploaded());
+        inputs
+            + gather
+            + surfaces
+            + bases
+            + views
+            + self.stages.iter().map(Stage::uploaded).sum::<u64>()
+    }
+
+    /// The same, with the bodies where lights look at these.
+    pub(super) fn seen_uploaded(&self) -> u64 {
+        let bodies = self.views.as_ref().map_or(0, |_| self.bodies.uploaded());
+        self.lights_uploaded() + bodies
     }
 
     /// Bytes that [`prepare`](Self::prepare) has uploaded since the renderer was made. A frame that is like the one before

@@ -15,6 +15,7 @@ mod middleware;
 mod parity;
 mod patches;
 mod plans;
+mod punctual;
 mod scenes;
 mod shading;
 #[path = "../../../tests/shared/shading_cases/mod.rs"]
@@ -134,6 +135,14 @@ const TESTS: &[Test] = &[
     (
         "parity::pictures_are_those_of_the_cpu",
         parity::pictures_are_those_of_the_cpu,
+    ),
+    (
+        "punctual::lights_are_those_of_the_cpu",
+        punctual::lights_are_those_of_the_cpu,
+    ),
+    (
+        "punctual::views_are_taken_once",
+        punctual::views_are_taken_once,
     ),
     (
         "lights::spheres_send_what_they_do_on_the_cpu",

@@ -104,6 +104,7 @@ pub fn standing_quad() -> Scene {
         .map(|_| [numbers.next(), numbers.next(), numbers.next()])
         .collect();
     Scene {
+        punctual: Vec::new(),
         objects: vec![object],
         environment: EnvironmentMap {
             width: 32,

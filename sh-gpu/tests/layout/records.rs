@@ -2,12 +2,12 @@
 
 use naga::proc::Layouter;
 use sh_gpu::records::{
-    Band, Basis, Body, Lighting, ScreenSource, Sender, UpsampleRule, VertexSource,
+    Band, Basis, Body, Lighting, PunctualScene, ScreenSource, Sender, UpsampleRule, VertexSource,
 };
 use sh_kernels::{MAX_ORDER, MIN_ORDER, Pass, source};
 use sh_scene::basis::{Disc, Facet, Patch, Region};
 use sh_scene::surface::SurfacePoint;
-use sh_scene::{Emitter, Node, Receiver};
+use sh_scene::{Emitter, LightView, Node, PunctualRecord, Receiver};
 use std::mem::offset_of;
 
 /// Size and member offsets of a struct in a kernel.
@@ -42,7 +42,8 @@ macro_rules! same_layout {
 #[test]
 fn records_are_laid_out_alike() {
     for order in MIN_ORDER..=MAX_ORDER {
-        for pass in Pass::ALL {
+        // What lights see are no receivers.
+        for pass in Pass::ALL.into_iter().filter(|p| *p != Pass::LightView) {
             same_layout!(
                 pass,
                 order,
@@ -210,6 +211,55 @@ fn what_hosts_bring_is_laid_out_alike() {
             bias
         }
     );
+}
+
+#[test]
+fn lights_with_sharp_shadows_are_laid_out_alike() {
+    same_layout!(
+        Pass::Punctual,
+        MIN_ORDER,
+        PunctualRecord {
+            position,
+            radius,
+            axis,
+            outer,
+            radiance,
+            steep,
+            distant,
+            first,
+            views,
+            unused
+        }
+    );
+    for pass in [Pass::LightView, Pass::Punctual] {
+        same_layout!(
+            pass,
+            MIN_ORDER,
+            LightView {
+                origin,
+                distant,
+                right,
+                far,
+                up,
+                near,
+                forward,
+                inverse
+            }
+        );
+        same_layout!(
+            pass,
+            MIN_ORDER,
+            PunctualScene {
+                lights,
+                views,
+                side,
+                across,
+                ground,
+                ground_height,
+                tail
+            }
+        );
+    }
 }
 
 #[test]

@@ -10,7 +10,13 @@ use sh_scene::{
 };
 
 /// What passes are bound to that is nobody else's: kernel, what it calls it, and what it is.
-const PRIVATE: [(&str, &str, &str); 17] = [
+const PRIVATE: [(&str, &str, &str); 19] = [
+    (
+        "light_view",
+        "nearest",
+        "what was drawn, before it is made coarser",
+    ),
+    ("punctual", "eye", "from where what is mirrored is seen"),
     ("gbuffer", "band", "the part of the picture at hand"),
     ("gbuffer", "places", "what was drawn, before it is packed"),
     ("gbuffer", "surfaces", "what was drawn, before it is packed"),
@@ -44,6 +50,7 @@ const PRIVATE: [(&str, &str, &str); 17] = [
 
 fn scene() -> Scene {
     Scene {
+        punctual: Vec::new(),
         objects: Vec::new(),
         environment: EnvironmentMap {
             width: 1,
@@ -83,6 +90,7 @@ fn facts<'a>(scene: &'a Scene) -> Vec<Facts<'a>> {
         shadows,
         half,
         senders: Ok(2),
+        punctual: 2,
         ..Facts::of(scene, false)
     };
     let by_patches = |facts: Facts<'a>| Facts {

@@ -37,6 +37,8 @@ pub struct Facts<'a> {
     pub patches: usize,
     /// How many objects mirror light.
     pub glossy: usize,
+    /// Spots, points and suns that shine.
+    pub punctual: usize,
 }
 
 impl<'a> Facts<'a> {
@@ -68,7 +70,13 @@ impl<'a> Facts<'a> {
                 true => scene.objects.iter().filter(|o| o.mirrors()).count(),
                 false => 0,
             },
+            punctual: scene.punctual.iter().filter(|light| light.shines()).count(),
         }
+    }
+
+    /// Whether anything may be before lights with sharp shadows, and shadows are asked for.
+    pub fn views(&self) -> bool {
+        self.punctual > 0 && self.settings.shadows && self.drawn > 0
     }
 
     /// The receivers that have to be lit in the end.

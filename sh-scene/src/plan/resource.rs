@@ -14,6 +14,8 @@ pub enum Domain {
     Spheres,
     /// Patches of bodies' surfaces, each with a point as a receiver.
     Patches,
+    /// Texels of what lights with sharp shadows see: [`crate::LightViews`].
+    Views,
     /// Receivers that the caller brings: vertices, or whatever else is to be lit.
     Receivers,
     /// A ray for every two by two pixels: [`crate::View::halves`].
@@ -30,11 +32,12 @@ pub enum Domain {
 
 impl Domain {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Scene,
         Self::Points,
         Self::Spheres,
         Self::Patches,
+        Self::Views,
         Self::Receivers,
         Self::Halves,
         Self::Samples,
@@ -50,6 +53,7 @@ impl Domain {
             Self::Points => "points",
             Self::Spheres => "spheres",
             Self::Patches => "patches",
+            Self::Views => "views",
             Self::Receivers => "receivers",
             Self::Halves => "halves",
             Self::Samples => "samples",
@@ -70,13 +74,18 @@ impl Domain {
     /// Whether what passes make for it stays as it is from frame to frame, as long as no body moves and no light changes: it
     /// has nothing to do with what looks at it.
     pub fn is_kept(self) -> bool {
-        matches!(self, Self::Points | Self::Spheres | Self::Patches)
+        matches!(
+            self,
+            Self::Points | Self::Spheres | Self::Patches | Self::Views
+        )
     }
 
     /// When its passes run: those of one phase are done, all bands of them, before those of the next begin.
     pub(super) fn phase(self) -> Phase {
         match self {
-            Self::Scene | Self::Points | Self::Spheres | Self::Patches => Phase::Bodies,
+            Self::Scene | Self::Points | Self::Spheres | Self::Patches | Self::Views => {
+                Phase::Bodies
+            }
             Self::Receivers => Phase::Brought,
             Self::Halves => Phase::Coarse,
             Self::Samples | Self::Rest | Self::Gloss | Self::Pixels => Phase::Fine,
@@ -187,6 +196,21 @@ pub const ENVIRONMENT: Resource = given(
     "environment",
     "linear Rec.709 radiance of a texel",
     &["environment"],
+);
+
+/// Spots, points and suns: [`crate::PunctualLight`].
+pub const PUNCTUAL_LIGHTS: Resource = given(
+    "punctual lights",
+    "light, and views from it",
+    &["source", "lights", "views", "view"],
+);
+
+/// How near what is seen from lights with sharp shadows is. A GPU keeps it with the pass that makes it.
+pub const NEARNESS: Resource = Resource::made(
+    "nearness",
+    "one over depth, or height above the farthest plane",
+    Some(Domain::Views),
+    (0, &["nearest", "coarse"]),
 );
 
 /// What each sphere sends on. A GPU keeps it with the pass that gathers it.

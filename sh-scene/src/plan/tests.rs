@@ -1,11 +1,12 @@
 use super::passes::{
-    IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, RESOLVE, SCATTER, SHADOW, SHARES, UPSAMPLE,
+    IRRADIANCE, LIGHT_GATHER, LIGHT_UPDATE, LIGHT_VIEW, PUNCTUAL, RESOLVE, SCATTER, SHADOW, SHARES,
+    UPSAMPLE,
 };
 use super::*;
 use crate::surface::SurfacePoint;
 use crate::{
     AreaLight, Camera, Distribution, EnvironmentMap, Ground, Indirect, Material, Mesh, Object,
-    Settings, Sphere,
+    PunctualLight, PunctualShape, Settings, Sphere,
 };
 use glam::Vec3;
 
@@ -24,6 +25,7 @@ fn scene(spheres: usize, shadows: bool) -> Scene {
         ..Object::default()
     };
     Scene {
+        punctual: Vec::new(),
         objects: vec![object],
         environment: EnvironmentMap::constant([1.0; 3]),
         lights: Vec::new(),
@@ -377,6 +379,49 @@ fn distributions_are_in_the_plan_of_lamps_that_have_one() {
     assert!(!knows(&Plan::new(&scene)));
 }
 
+/// Spots, points and suns are looked from once and added to what samples get at last, and to what falls on bodies before these send it
+/// on; without shadows nobody looks from them, and dark ones are none.
+#[test]
+fn lights_with_sharp_shadows_come_last() {
+    let mut lit = scene(8, true);
+    lit.settings.half_resolution = true;
+    lit.settings.indirect = Some(Indirect::default());
+    lit.objects[0].surface.push([SurfacePoint::default()]);
+    lit.objects[0].mesh = Mesh {
+        positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        normals: vec![[0.0, 0.0, 1.0]; 3],
+        triangles: vec![[0, 1, 2]],
+        ..Mesh::default()
+    };
+    let shape = PunctualShape::Point {
+        position: Vec3::Y,
+        radius: 0.1,
+    };
+    lit.punctual = vec![PunctualLight::new(shape, [1.0; 3])];
+    let plan = Plan::new(&lit);
+    plan.check().unwrap();
+    let at = |name: &str, domain: Domain| {
+        let mut all = plan.passes.iter();
+        all.position(|p| p.name() == name && p.at == domain)
+            .unwrap_or_else(|| panic!("no {name} over {domain:?}"))
+    };
+    let views = at("light_view", Domain::Views);
+    let points = at("punctual", Domain::Points);
+    assert!(views < points && at("shadow", Domain::Points) < points);
+    assert!(points < at("light_update", Domain::Spheres));
+    let samples = at("punctual", Domain::Samples);
+    assert!(at("scatter", Domain::Rest) < samples && samples < at("resolve", Domain::Pixels));
+    assert!(plan.passes[views].reason.contains("6 views of 832 by 832"));
+
+    lit.settings.shadows = false;
+    let open = Plan::new(&lit);
+    assert!(open.has(&PUNCTUAL) && !open.has(&LIGHT_VIEW));
+    let knows = |shader: &Shader| shader.constants.contains(&("VIEWS", true));
+    assert!(!open.shaders.iter().any(knows) && plan.shaders.iter().any(knows));
+    lit.punctual[0].intensity = [0.0; 3];
+    assert!(!Plan::new(&lit).has(&PUNCTUAL));
+}
+
 #[test]
 fn what_is_left_out_is_told_in_sentences() {
     let mut bare = scene(0, true);
@@ -388,6 +433,7 @@ fn what_is_left_out_is_told_in_sentences() {
         "light_update",
         "shadow",
         "light_gather",
+        "punctual",
         "shares",
         "upsample",
         "scatter",

@@ -9,7 +9,9 @@ mod invalid;
 mod irradiance;
 mod light_gather;
 mod light_update;
+mod light_view;
 mod points;
+mod punctual;
 mod resolve;
 mod scatter;
 mod shadow;
@@ -23,7 +25,9 @@ pub use invalid::{INVALID, INVALID_SAMPLES, InvalidSamples};
 pub use irradiance::IRRADIANCE;
 pub use light_gather::LIGHT_GATHER;
 pub use light_update::LIGHT_UPDATE;
+pub use light_view::LIGHT_VIEW;
 pub use points::POINTS;
+pub use punctual::PUNCTUAL;
 pub use resolve::RESOLVE;
 pub use scatter::SCATTER;
 pub use shadow::SHADOW;
@@ -33,7 +37,8 @@ pub use upsample::UPSAMPLE;
 use super::Pass;
 
 /// All of them.
-pub static PASSES: [&Pass; 13] = [
+pub static PASSES: [&Pass; 15] = [
+    &LIGHT_VIEW,
     &POINTS,
     &LIGHT_UPDATE,
     &BASIS_UPDATE,
@@ -42,6 +47,7 @@ pub static PASSES: [&Pass; 13] = [
     &SHADOW,
     &LIGHT_GATHER,
     &BASIS_GATHER,
+    &PUNCTUAL,
     &SHARES,
     &UPSAMPLE,
     &SCATTER,
