@@ -14,7 +14,7 @@ use sh_core::constants::{
     GOLDEN_COSINE, GOLDEN_SINE, LEAST_BLUR, NOWHERE, RISE, SEARCH_TAPS, SHADOW_TAPS, SHARP,
     SHARP_TAPS, VIEW_BLOCK, WIDE,
 };
-use sh_scene::{Ground, LightView, LightViews, PunctualRecord, Scene};
+use sh_scene::{Ground, LightView, LightViews, PunctualRecord};
 use std::sync::LazyLock;
 
 /// The lights of a scene, and what is before them.
@@ -47,10 +47,10 @@ struct Look<'a> {
 }
 
 impl Views {
-    /// Takes over the lights of a scene; whether they, and what they see, are what they were. `still` says that nothing has moved.
-    pub fn take(&mut self, seen: LightViews, still: bool, scene: &Scene) -> bool {
-        let hides = !seen.views.is_empty() && scene.bounds().is_some();
-        let ground = scene.ground.filter(|_| hides);
+    /// Takes over the lights of a scene and the ground that hides some of them; whether they, and what they see, are what they were.
+    /// `still` says that no triangle has moved, which nobody sees where there are no views.
+    pub fn take(&mut self, seen: LightViews, still: bool, ground: Option<Ground>) -> bool {
+        let still = still || seen.views.is_empty();
         if still && self.seen == seen && self.ground == ground {
             return true;
         }

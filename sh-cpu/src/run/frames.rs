@@ -267,7 +267,8 @@ impl Frames {
             .zip(self.hierarchy.as_ref())
             .is_some_and(still);
         // What lights with sharp shadows see is what it was, and so is what they give.
-        let unseen = self.views.take(seen, still, scene);
+        let ground = scene.ground.filter(|_| plan.has(&LIGHT_VIEW));
+        let unseen = self.views.take(seen, still, ground);
         let light = stages.time("light", || self.tracker.relight(scene).cloned())?;
         if plan.is_blocked() {
             stages.time("forest", || self.tracker.place(scene));
