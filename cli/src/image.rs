@@ -271,6 +271,45 @@ impl PictureFile {
 mod tests {
     use super::*;
 
+    /// A sun counts in the exposure as much as it did in the sky that it was lifted from, and a point by where it stands.
+    #[test]
+    fn a_lifted_sun_keeps_the_exposure() {
+        let sky = sh_scene::Sky::default().map(256, 128);
+        let lifted = sky.lift_sun().expect("a sun");
+        let scene = |environment, punctual| Scene {
+            objects: Vec::new(),
+            environment,
+            lights: Vec::new(),
+            punctual,
+            ground: None,
+            camera: sh_scene::Camera {
+                eye: Vec3::Z,
+                target: Vec3::ZERO,
+                fov: 1.0,
+            },
+            settings: Default::default(),
+        };
+        let of = |scene: &Scene| exposure(&scene.light().expect("light"), scene);
+        let whole = of(&scene(sky, Vec::new()));
+        let without = of(&scene(lifted.map.clone(), Vec::new()));
+        let parts = of(&scene(lifted.map, vec![lifted.sun]));
+        assert!((parts / whole - 1.0).abs() < 0.01, "{parts} of {whole}");
+        assert!(without > 1.2 * whole, "{without} of {whole}");
+        let point = |height: f32| {
+            let position = Vec3::Y * height;
+            let shape = sh_scene::PunctualShape::Point {
+                position,
+                radius: 0.0,
+            };
+            let light = sh_scene::PunctualLight::new(shape, [1.0; 3]);
+            of(&scene(
+                sh_scene::EnvironmentMap::constant([0.0; 3]),
+                vec![light],
+            ))
+        };
+        assert!((point(2.0) / point(1.0) - 4.0).abs() < 1e-3);
+    }
+
     #[test]
     fn the_tone_curve_rises_without_a_kink() {
         let mut before = 0.0;

@@ -10,9 +10,7 @@ use sh_cpu::{Path, lane_count, multiply_adds_per_second};
 use sh_scene::basis::PATCH_SAMPLES;
 use sh_scene::plan::Units;
 use sh_scene::surface::DIRECTIONS;
-use sh_scene::{
-    BasisBody, Domain, Forest, Grid, LightViews, Object, Plan, Planned, PunctualLight, Scene, View,
-};
+use sh_scene::{BasisBody, Domain, Forest, Grid, LightViews, Object, Plan, Planned, Scene, View};
 
 /// Places at which cuts are counted.
 const PLACES: usize = 64;
@@ -95,8 +93,7 @@ fn seconds(planned: &Planned, units: &Units, scene: &Scene, view: &View, rate: f
             .map(|body| body.basis.patches() as f64)
             .sum(),
         Domain::Views => {
-            let lights = scene.punctual.iter().filter(|light| light.shines());
-            let views = lights.map(PunctualLight::views).sum();
+            let views = LightViews::count(&scene.punctual);
             (views * LightViews::side(views).pow(2)) as f64
         }
         Domain::Spheres => of_objects(&|o| o.spheres.len()),

@@ -7,7 +7,7 @@ use glam::Vec3;
 use gltf::camera::Projection;
 
 /// The cameras of the scene in perspective, in the file's space, and a sentence about the others.
-pub(super) fn all(tree: &Tree, warnings: &mut Vec<String>) -> Vec<ModelCamera> {
+pub(super) fn all(tree: &Tree, moves: bool, warnings: &mut Vec<String>) -> Vec<ModelCamera> {
     let mut all = Vec::new();
     let mut flat = 0;
     for (camera, node, world) in &tree.cameras {
@@ -24,6 +24,9 @@ pub(super) fn all(tree: &Tree, warnings: &mut Vec<String>) -> Vec<ModelCamera> {
             ahead: ahead.unwrap_or(Vec3::NEG_Z),
             fov: perspective.yfov().clamp(0.02, 3.0),
         });
+    }
+    if moves && !all.is_empty() {
+        warnings.push("its cameras do not move with its clips.".into());
     }
     if flat > 0 {
         let cameras = if flat == 1 {

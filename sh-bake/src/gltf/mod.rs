@@ -67,8 +67,9 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<Loaded, Error> {
     };
     let tree = Tree::new(&document, &scene, &buffers).map_err(wrong)?;
     let clips = animation::clips(&document, &tree, &buffers, &mut warnings).map_err(wrong)?;
-    let cameras = cameras::all(&tree, &mut warnings);
-    let lights = lights::all(&tree, !clips.is_empty(), &mut warnings);
+    let moves = !clips.is_empty();
+    let cameras = cameras::all(&tree, moves, &mut warnings);
+    let lights = lights::all(&tree, moves, &mut warnings);
     for warning in &mut warnings {
         *warning = format!("{}: {warning}", shown(path));
     }
@@ -86,8 +87,7 @@ pub(crate) fn load(path: &Path, bytes: &[u8]) -> Result<Loaded, Error> {
                 None => format!("mesh {}, primitive {}", mesh.index(), primitive.index()),
             };
             let explain = |message: String| wrong(format!("{name}: {message}."));
-            let mut part =
-                surface(&primitive, &buffers, placed, !clips.is_empty()).map_err(explain)?;
+            let mut part = surface(&primitive, &buffers, placed, moves).map_err(explain)?;
             if part.triangles.is_empty() {
                 let display = shown(path);
                 warnings.push(format!(

@@ -175,6 +175,20 @@ impl LightViews {
         Ok(all)
     }
 
+    /// How many views the lights that shine have, all together.
+    ///
+    /// ```
+    /// use glam::Vec3;
+    /// use sh_scene::{LightViews, PunctualLight, PunctualShape};
+    /// let shape = PunctualShape::Point { position: Vec3::Y, radius: 0.0 };
+    /// let lights = [[1.0; 3], [0.0; 3]].map(|bright| PunctualLight::new(shape, bright));
+    /// assert_eq!(LightViews::count(&lights), 6);
+    /// ```
+    pub fn count(lights: &[PunctualLight]) -> usize {
+        let shining = lights.iter().filter(|light| light.shines());
+        shining.map(PunctualLight::views).sum()
+    }
+
     /// Texels along the side of each of so many views.
     ///
     /// ```

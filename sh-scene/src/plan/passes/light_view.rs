@@ -1,9 +1,9 @@
 //! What spots, points and suns see.
 
+use crate::LightViews;
 use crate::plan::facts::counted;
 use crate::plan::resource::{NEARNESS, PUNCTUAL_LIGHTS, SURFACES};
 use crate::plan::{Cost, Domain, Entry, Orders, Pass, Run, Slot};
-use crate::{LightViews, PunctualLight};
 
 /// How near what is before lights with sharp shadows is.
 pub static LIGHT_VIEW: Pass = Pass {
@@ -26,8 +26,7 @@ pub static LIGHT_VIEW: Pass = Pass {
         if facts.drawn == 0 {
             return Err("No object has a triangle that could be before a light.".into());
         }
-        let shining = facts.scene.punctual.iter().filter(|light| light.shines());
-        let views = shining.map(PunctualLight::views).sum();
+        let views = LightViews::count(&facts.scene.punctual);
         let side = LightViews::side(views);
         let views = counted(views, "view", "views");
         let reason = format!(
