@@ -2,7 +2,7 @@
 
 use crate::layout::Layout;
 use crate::pipeline::{Kernel, texture_bytes};
-use crate::records::Vertex;
+use crate::raster::{self, Drawing, target};
 use crate::scope::checked;
 use crate::slot::Slot;
 use crate::{Bands, Bodies, Bound, Error, Pipelines};
@@ -11,7 +11,7 @@ use sh_scene::Receiver;
 use std::sync::Arc;
 use wgpu::{
     BindGroup, BindingResource, BufferBinding, CommandEncoder, Device, RenderPass, RenderPipeline,
-    ShaderModule, TextureFormat, TextureUsages, TextureView, VertexAttribute, VertexFormat,
+    TextureFormat, TextureView, VertexFormat,
 };
 
 /// Rasterises the bands of a grid through a picture and packs them into receivers and albedo, tile by tile.
@@ -72,7 +72,7 @@ impl GbufferPass {
     pub const COLOR: TextureFormat = TextureFormat::Rgba32Uint;
 
     /// Format of the depth target: 1 at the near plane, 0 infinitely far; nearer is greater.
-    pub const DEPTH: TextureFormat = TextureFormat::Depth32Float;
+    pub const DEPTH: TextureFormat = raster::DEPTH;
 
     /// Makes pipelines and targets for the bands of a picture.
     pub fn new(device: &Device, bands: &Bands) -> Result<Self, Error> {
@@ -100,21 +100,29 @@ impl GbufferPass {
             let [every, body] = Layout::of_raster(device, Pass::Gbuffer, names);
             let band = every.bind(device, &[("band", bands.binding())]);
             let both = [Some(&every.layout), Some(&body.layout)];
+            let drawing = |entries, groups, attributes| Drawing {
+                label: LABEL,
+                entries,
+                groups,
+                attributes,
+                targets: &[Self::COLOR, Self::COLOR],
+            };
             let bodies = drawn.bodies.then(|| {
                 pipelines.raster(of, names[1], |module| {
-                    raster(device, module, names, &both, true)
+                    raster::pipeline(device, module, &drawing(names, &both, &VERTEX))
                 })
             });
             let names = ["ground_vertex", "ground_fragment"];
             let ground = drawn.ground.then(|| {
                 pipelines.raster(of, names[1], |module| {
-                    raster(device, module, names, &both[..1], false)
+                    raster::pipeline(device, module, &drawing(names, &both[..1], &[]))
                 })
             });
 
             let pack = pipelines.kernel(of, "pack")?;
-            let targets =
-                [Self::COLOR, Self::COLOR, Self::DEPTH].map(|format| target(device, bands, format));
+            let largest = [bands.columns(), bands.rows(0)];
+            let targets = [Self::COLOR, Self::COLOR, Self::DEPTH]
+                .map(|format| target(device, LABEL, largest, format));
             let [place, surface, _] = &targets;
             let own = [
                 ("band", bands.binding()),
@@ -207,7 +215,7 @@ impl GbufferPass {
             store: wgpu::StoreOp::Discard,
         };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("gaunt gbuffer"),
+            label: Some(LABEL),
             color_attachments: &[cleared(place), cleared(surface)],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: depth,
@@ -224,7 +232,7 @@ impl GbufferPass {
             occlusion_query_set: None,
             multiview_mask: None,
         });
-        pass.push_debug_group("gaunt gbuffer");
+        pass.push_debug_group(LABEL);
         let (columns, rows) = (bands.columns(), bands.rows(band));
         pass.set_viewport(0.0, 0.0, columns as f32, rows as f32, 0.0, 1.0);
         pass.set_scissor_rect(0, 0, columns, rows);
@@ -245,92 +253,12 @@ impl GbufferPass {
     }
 }
 
-/// A texture as large as the largest band.
-fn target(device: &Device, bands: &Bands, format: TextureFormat) -> TextureView {
-    let texture = device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("gaunt gbuffer"),
-        size: wgpu::Extent3d {
-            width: bands.columns(),
-            height: bands.rows(0),
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    });
-    texture.create_view(&wgpu::TextureViewDescriptor {
-        label: Some("gaunt gbuffer"),
-        ..Default::default()
-    })
-}
+const LABEL: &str = "gaunt gbuffer";
 
-fn raster(
-    device: &Device,
-    module: &ShaderModule,
-    [vertex, fragment]: [&str; 2],
-    groups: &[Option<&wgpu::BindGroupLayout>],
-    with_vertices: bool,
-) -> RenderPipeline {
-    let label = Some("gaunt gbuffer");
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label,
-        bind_group_layouts: groups,
-        immediate_size: 0,
-    });
-    let attribute = |shader_location, offset, format| VertexAttribute {
-        format,
-        offset,
-        shader_location,
-    };
-    let attributes = [
-        attribute(0, 0, VertexFormat::Float32x3),
-        attribute(1, 12, VertexFormat::Float32x3),
-        attribute(2, 24, VertexFormat::Float32x2),
-        attribute(3, 32, VertexFormat::Float32x3),
-    ];
-    let vertices = Some(wgpu::VertexBufferLayout {
-        array_stride: size_of::<Vertex>() as u64,
-        step_mode: wgpu::VertexStepMode::Vertex,
-        attributes: &attributes,
-    });
-    let color = Some(wgpu::ColorTargetState {
-        format: GbufferPass::COLOR,
-        blend: None,
-        write_mask: wgpu::ColorWrites::ALL,
-    });
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label,
-        layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some(vertex),
-            compilation_options: Default::default(),
-            buffers: if with_vertices {
-                std::slice::from_ref(&vertices)
-            } else {
-                &[]
-            },
-        },
-        // Both sides of a surface are drawn, as rays hit both.
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format: GbufferPass::DEPTH,
-            depth_write_enabled: Some(true),
-            depth_compare: Some(wgpu::CompareFunction::Greater),
-            stencil: Default::default(),
-            bias: Default::default(),
-        }),
-        multisample: Default::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some(fragment),
-            compilation_options: Default::default(),
-            targets: &[color.clone(), color],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
-}
+/// A body's vertices as they are uploaded: position, normal, texture coordinates, colour.
+const VERTEX: [VertexFormat; 4] = [
+    VertexFormat::Float32x3,
+    VertexFormat::Float32x3,
+    VertexFormat::Float32x2,
+    VertexFormat::Float32x3,
+];

@@ -1,8 +1,8 @@
 //! A pass that is a kernel over buffers of the frame and nothing else: bound by its declaration alone.
 
 use crate::pipeline::Kernel;
+use crate::setup::Setup;
 use crate::slot::Slot;
-use crate::stages::Setup;
 use crate::{Bands, Bound, Error};
 use sh_kernels::{EntryPoint, MIN_ORDER, Pass};
 use sh_scene::Planned;

@@ -3,7 +3,8 @@
 use crate::layout::Layout;
 use crate::lighting::{buffer, room};
 use crate::pipeline::{Kernel, texture_bytes};
-use crate::records::{PunctualScene, Vertex};
+use crate::raster::{self, Drawing, target};
+use crate::records::PunctualScene;
 use crate::scope::checked;
 use crate::upload::{Kept, Known};
 use crate::{Bodies, Bound, Error, Pipelines};
@@ -13,14 +14,14 @@ use sh_scene::{LightView, LightViews, PunctualRecord, Scene};
 use std::sync::Arc;
 use wgpu::{
     BindGroup, BindingResource, Buffer, BufferUsages, CommandEncoder, ComputePassTimestampWrites,
-    Device, Queue, RenderPipeline, TextureFormat, TextureUsages, TextureView,
+    Queue, RenderPipeline, TextureFormat, TextureView, VertexFormat,
 };
 
 /// Bytes from one view's record to the next: the alignment that every device grants for dynamic offsets.
 const STRIDE: u64 = 256;
 
 /// What is drawn: how near something is, and the depth that decides what is nearest.
-const FORMATS: [TextureFormat; 2] = [TextureFormat::R32Float, TextureFormat::Depth32Float];
+const FORMATS: [TextureFormat; 2] = [TextureFormat::R32Float, raster::DEPTH];
 
 /// The entry points that find what is nearest, level by level.
 const LEVELS: [&str; 3] = ["coarsen", "coarsen_again", "coarsen_last"];
@@ -112,7 +113,7 @@ impl Views {
                 ),
                 eye: buffer(device, "gaunt eye", 16, uniform),
                 coarse: buffer(device, "gaunt views", coarse, storage),
-                targets: FORMATS.map(|format| target(device, side * across, format)),
+                targets: FORMATS.map(|format| target(device, LABEL, [side * across; 2], format)),
                 known: Default::default(),
                 known_eye: Known::default(),
                 kept: Kept::default(),
@@ -133,54 +134,14 @@ impl Views {
         // Bodies are bound as they are where a camera sees them.
         let [_, body] = Layout::of_raster(device, Pass::Gbuffer, Bodies::ENTRIES);
         let pipeline = pipelines.raster(of, names[1], |module| {
-            let groups = [Some(&own.layout), Some(&body.layout)];
-            let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            let drawing = Drawing {
                 label: LABEL,
-                bind_group_layouts: &groups,
-                immediate_size: 0,
-            });
-            let attributes = [wgpu::VertexAttribute {
-                format: wgpu::VertexFormat::Float32x3,
-                offset: 0,
-                shader_location: 0,
-            }];
-            let vertices = Some(wgpu::VertexBufferLayout {
-                array_stride: size_of::<Vertex>() as u64,
-                step_mode: wgpu::VertexStepMode::Vertex,
-                attributes: &attributes,
-            });
-            device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                label: LABEL,
-                layout: Some(&layout),
-                vertex: wgpu::VertexState {
-                    module,
-                    entry_point: Some(names[0]),
-                    compilation_options: Default::default(),
-                    buffers: std::slice::from_ref(&vertices),
-                },
-                // Both sides of a surface hide light.
-                primitive: wgpu::PrimitiveState::default(),
-                depth_stencil: Some(wgpu::DepthStencilState {
-                    format: FORMATS[1],
-                    depth_write_enabled: Some(true),
-                    depth_compare: Some(wgpu::CompareFunction::Greater),
-                    stencil: Default::default(),
-                    bias: Default::default(),
-                }),
-                multisample: Default::default(),
-                fragment: Some(wgpu::FragmentState {
-                    module,
-                    entry_point: Some(names[1]),
-                    compilation_options: Default::default(),
-                    targets: &[Some(wgpu::ColorTargetState {
-                        format: FORMATS[0],
-                        blend: None,
-                        write_mask: wgpu::ColorWrites::ALL,
-                    })],
-                }),
-                multiview_mask: None,
-                cache: None,
-            })
+                entries: names,
+                groups: &[Some(&own.layout), Some(&body.layout)],
+                attributes: &[VertexFormat::Float32x3],
+                targets: &FORMATS[..1],
+            };
+            raster::pipeline(device, module, &drawing)
         })?;
         let record = BindingResource::Buffer(wgpu::BufferBinding {
             buffer: &self.view,
@@ -317,7 +278,7 @@ impl Views {
             ..wgpu::Color::TRANSPARENT
         };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: LABEL,
+            label: Some(LABEL),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                 view: color,
                 depth_slice: None,
@@ -345,7 +306,7 @@ impl Views {
             occlusion_query_set: None,
             multiview_mask: None,
         });
-        pass.push_debug_group("gaunt light view");
+        pass.push_debug_group(LABEL);
         pass.set_pipeline(&draws.pipeline);
         for view in 0..self.counts[1] as u32 {
             let corner = [view % self.across, view / self.across].map(|at| at * self.side);
@@ -370,25 +331,4 @@ impl Views {
     }
 }
 
-const LABEL: Option<&str> = Some("gaunt light view");
-
-fn target(device: &Device, side: u32, format: TextureFormat) -> TextureView {
-    let texture = device.create_texture(&wgpu::TextureDescriptor {
-        label: LABEL,
-        size: wgpu::Extent3d {
-            width: side,
-            height: side,
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    });
-    texture.create_view(&wgpu::TextureViewDescriptor {
-        label: LABEL,
-        ..Default::default()
-    })
-}
+const LABEL: &str = "gaunt light view";

@@ -6,7 +6,9 @@ mod told;
 use crate::bases::Bases;
 use crate::buffers::Buffers;
 use crate::inputs::Inputs;
-use crate::stages::{Recording, Setup, Stage, Work, options, sends};
+use crate::makers::stage;
+use crate::setup::{Setup, options, sends};
+use crate::stages::{Recording, Stage, Work};
 use crate::surfaces::Surfaces;
 use crate::views::Views;
 use crate::{Bands, Bodies, Error, LightGatherPass, Pipelines, ShadowPass, UpsamplePass};
@@ -191,7 +193,7 @@ impl Renderer {
             views: views.as_ref(),
             buffers: &buffers,
         };
-        let stages = plan.passes.iter().map(|planned| setup.stage(planned));
+        let stages = plan.passes.iter().map(|planned| stage(&setup, planned));
         let bodies = Bodies::new(device, queue, scene)?;
         Ok(Self {
             stages: stages.collect::<Result<_, _>>()?,
